@@ -1,0 +1,107 @@
+// What an engine must supply to take part in a run: small, so that swapping engines is real.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "slidewave/table.hpp"
+
+namespace slidewave {
+
+/// The time between two exchanges [s]. Window 0 has zero length: it only sets the initial state.
+struct Window {
+  long index = 0;
+  double t0_s = 0;
+  double t1_s = 0;
+  bool stop = false;        ///< leave the loop, nothing is to be advanced
+  bool checkpoint = false;  ///< write a restart state at the end of this window
+  double length_s() const { return t1_s - t0_s; }
+};
+
+/// An axis-aligned box [m].
+struct Box {
+  Vec3 low = Vec3::Constant(1e300);
+  Vec3 high = Vec3::Constant(-1e300);
+};
+
+/// Where a point lies in this rank's part of the mesh: distance 0 inside `cell`, else `cell` is the
+/// nearest one and `distance_m` > 0 how far away it is. cell < 0: this rank has none.
+struct Home {
+  int cell = -1;
+  double distance_m = 0;
+};
+
+/// A column of history.csv that an engine contributes, one value a window, same on all its ranks.
+struct Quantity {
+  std::string name;  ///< with its unit as suffix, e.g. "wave_height_m"
+  double value = 0;
+};
+
+/// Something that a summary lists: a feature in use, or left out, and why.
+struct Feature {
+  std::string name;
+  bool active = true;
+  std::string reason;
+};
+
+class Engine {
+ public:
+  virtual ~Engine() = default;
+  virtual Box bounds() const = 0;
+  /// Own history columns after the last advance; always the same names in the same order.
+  virtual std::vector<Quantity> quantities() const { return {}; }
+  virtual std::vector<Feature> features() const { return {}; }
+  virtual void checkpoint(std::string const& /*directory*/) {}
+};
+
+/// A fluid: continuum on a mesh. Calls come in the order below, once a window. All MPI of the
+/// engine stays on its own communicator; every rank gets every call, with zero particles too.
+class FluidEngine : public Engine {
+ public:
+  /// Which fields sample() can give, among: velocity, mean_velocity [m/s], density [kg/m3],
+  /// viscosity [Pa s], void_fraction, saturation [-], pressure_gradient [Pa/m] (with hydrostatics).
+  virtual std::vector<Field> samples() const = 0;
+  virtual Home locate(Vec3 const& position_m, int hint_cell) = 0;
+  /// Keeps position and cell of this rank's particles; the kernel of deposit and sample until the
+  /// next place(). `smoothing_length_m` is the kernel's length, constant in a run.
+  virtual void place(Table::ConstColumn position_m, std::vector<int> const& cell) = 0;
+  /// Solid volume [m3] per particle: the void fraction ramps over the coming window from the value
+  /// the last one ended with to this deposit. Not called without a model that needs porosity.
+  virtual void deposit(Table::ConstColumn volume_m3) = 0;
+  /// Drag of the coming window, per particle: K [kg/s], velocity [m/s], and a constant extra force
+  /// on the fluid [N] (the ledger being repaid). The engine spreads them with weights proportional
+  /// to density x void fraction at window start and solves K implicitly. Not called one-way.
+  virtual void exchange(Table::ConstColumn drag_kg_s, Table::ConstColumn velocity_m_s,
+                        Table::ConstColumn force_N) = 0;
+  virtual void advance(Window const& window) = 0;
+  /// Values at the particles by the exact transpose of deposit and smoothing. velocity and
+  /// mean_velocity (time mean of each fluid step's final velocity over the last advance) are
+  /// weighted by density x void fraction at window start.
+  virtual void sample(std::string const& field, Table::Column out) = 0;
+
+  /// Momentum [kg m/s] that left the fluid through exchange() during the last advance, this rank's
+  /// share, integrated from the source as it stood in the solved momentum equation.
+  virtual Vec3 given_impulse() const = 0;
+  /// Integral over this rank's cells of the stored solid fraction [m3], and of solid fraction times
+  /// pressure gradient [N], for budgets that must be able to fail.
+  virtual double solid_volume_m3() const = 0;
+  virtual Vec3 solid_pressure_force() const = 0;
+};
+
+/// Particles. gather -> (exchange) -> apply -> advance, once a window. `memory` is what the coupler
+/// wants kept with each particle wherever it migrates (4 components, opaque, zero at first).
+class ParticleEngine : public Engine {
+ public:
+  /// Fills position [m], velocity [m/s], radius [m], mass [kg], impulse [kg m/s] (drag impulse
+  /// received since the last apply) and memory of this rank's particles, as far as the table has
+  /// the column.
+  virtual void gather(Table& particles) = 0;
+  /// Same rows as the last gather: drag [kg/s], fluid_velocity [m/s], force [N] to act during the
+  /// coming advance through the exponential kick (physics/exponential_kick.hpp), and memory.
+  virtual void apply(Table const& answers) = 0;
+  virtual void advance(Window const& window) = 0;
+};
+
+}  // namespace slidewave

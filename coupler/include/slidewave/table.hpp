@@ -1,0 +1,47 @@
+// A table of particles: one row each, one column per negotiated field.
+#pragma once
+
+#include <Eigen/Core>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace slidewave {
+
+using Vec3 = Eigen::Vector3d;
+
+/// One quantity per particle: its name, SI unit and number of components (1 or 3).
+struct Field {
+  std::string name;
+  std::string unit;
+  int components = 1;
+};
+
+/// Columns of equal length. A column is a matrix of components x size(), particle i in column i,
+/// contiguous per particle. Only fields that were added take memory.
+class Table {
+ public:
+  using Column = Eigen::Map<Eigen::MatrixXd>;
+  using ConstColumn = Eigen::Map<Eigen::MatrixXd const>;
+
+  void add(Field const& field);
+  bool has(std::string const& name) const { return columns_.count(name) > 0; }
+  long size() const { return size_; }
+  /// Changes the number of particles; values of rows that stay are kept.
+  void resize(long particles);
+  /// Throws std::out_of_range, naming the field, where it was not added.
+  Column operator[](std::string const& name);
+  ConstColumn operator[](std::string const& name) const;
+  std::vector<Field> fields() const;
+  long bytes_per_particle() const;
+
+ private:
+  struct Data {
+    Field field;
+    std::vector<double> values;
+  };
+  std::map<std::string, Data> columns_;
+  long size_ = 0;
+};
+
+}  // namespace slidewave
