@@ -13,10 +13,15 @@
 
 namespace slidewave {
 
+/// exp(-(1.5 - log10 Re)^2/2): a bump around Re = 31.6, zero at both ends.
+inline double transition_bump(double reynolds) {
+  double const distance = 1.5 - std::log10(std::max(reynolds, 1e-30));
+  return std::exp(-0.5 * distance * distance);
+}
+
 /// chi from the superficial Reynolds number: 3.7 at both ends, 3.05 at Re = 31.6.
 inline double di_felice_exponent(double reynolds) {
-  double const distance = 1.5 - std::log10(std::max(reynolds, 1e-30));
-  return 3.7 - 0.65 * std::exp(-0.5 * distance * distance);
+  return 3.7 - 0.65 * transition_bump(reynolds);
 }
 
 template <class Coefficient>

@@ -1,12 +1,16 @@
-// Exact half kick of a particle under a linear drag and any constant force, all forces together.
+// Exact half kick of a particle under a linear drag and any constant force, all forces together:
 //
-//   m dv/dt = K (u - v) + F        u, K, F frozen over the kick; F holds contacts, weight, all
-//   others v' = v_inf + (v - v_inf) exp(-K h/m),   v_inf = u + F/K
+//   m dv/dt = K (u - v) + F
+//   v' = v_inf + (v - v_inf) exp(-K h/m),   v_inf = u + F/K
 //
-// Written with phi1 = (1 - e^-x)/x and phi2 = (1 - phi1)/x, x = K h/m, it needs no division by K
-// and loses no digits for x from 0 to 1e6:
-//   v' - v = phi1 (K (u - v) + F) h/m            = what an integrator adds for the force phi1 (...)
-//   drag impulse = m (v' - v) - F h = K h (phi1 (u - v) - phi2 F h/m) = integral of K (u - v) dt
+// with u, K, F frozen over the kick; F holds contacts, weight and all others. Written with
+// phi1 = (1 - e^-x)/x and phi2 = (1 - phi1)/x, x = K h/m, it needs no division by K and loses no
+// digits for x from 0 to 1e6:
+//
+//   v' - v       = phi1 (K (u - v) + F) h/m
+//   drag impulse = m (v' - v) - F h = K h (phi1 (u - v) - phi2 F h/m)
+//
+// so that phi1 (K (u - v) + F) is the force to hand to an integrator that adds f h/m.
 // A split (drag after the other forces) would settle too fast: 10 times at x = 10 (DESIGN.md 4).
 // Units: m [kg], K [kg/s], h [s], u, v [m/s], F [N]. T is double or a fixed-size Eigen vector.
 #pragma once

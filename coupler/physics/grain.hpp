@@ -10,7 +10,7 @@ struct Grain {
   double viscosity_Pa_s = 0;  ///< fluid
   double void_fraction = 1;   ///< 0.15 to 1
 
-  /// Reynolds number of the superficial slip eps |u_f - v|, the one that all laws here take.
+  /// Reynolds number of the superficial slip eps |u_f - v|, the one that the laws take.
   double reynolds() const {
     return void_fraction * density_kg_m3 * slip_m_s * diameter_m / viscosity_Pa_s;
   }
