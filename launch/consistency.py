@@ -1,0 +1,64 @@
+"""Checks of a case beyond single keys: files exist, times fit each other, the scene is not empty."""
+
+from __future__ import annotations
+
+import math
+
+from launch.case import Case
+
+FLUID_FILES = ("system/controlDict", "system/fvSchemes", "system/fvSolution")
+
+
+def is_multiple(value: float, step: float) -> bool:
+    """Whether `value` is a whole number of `step`s, within 1e-9 of a step."""
+    ratio = value / step
+    return abs(ratio - round(ratio)) <= 1e-9 * max(1.0, ratio) and round(ratio) >= 1
+
+
+def nearest_divisor(value: float, step: float) -> float:
+    """The step closest to `step` of which `value` holds a whole number."""
+    return value / max(1, round(value / step))
+
+
+def check(case: Case) -> None:
+    """Refuses missing files, times that do not fit, and a scene with neither fluid nor particles."""
+    _check_files(case)
+    _check_times(case)
+
+
+def _check_files(case: Case) -> None:
+    script = case.directory / case.get("dem.script")
+    if not script.is_file():
+        raise case.error("dem.script", f"no such file below {case.directory}")
+    if "dem" != case.get("dem.script").split("/")[0]:
+        raise case.error("dem.script", "must lie in dem/, e.g. dem/in.setup")
+    if case.get("fluid.engine") != "openfoam":
+        return
+    for name in FLUID_FILES:
+        if not (case.directory / "fluid" / name).is_file():
+            raise case.error("fluid.engine", f"needs the file fluid/{name}, which is missing")
+    mesh = (case.directory / "fluid/system/blockMeshDict").is_file()
+    mesh = mesh or (case.directory / "fluid/constant/polyMesh/points").is_file()
+    if not mesh and case.get("geometry") is None:
+        raise case.error("fluid.engine", "has no mesh: add fluid/system/blockMeshDict, "
+                                         "fluid/constant/polyMesh or a [geometry] table")
+
+
+def _check_times(case: Case) -> None:
+    window, end = case.get("coupling.window"), case.get("case.end_time")
+    if window > end:
+        raise case.error("coupling.window", f"is longer than case.end_time ({end:g} s)")
+    if not is_multiple(end, window):
+        raise case.error("case.end_time", f"must be a whole number of windows ({window:g} s); "
+                                          f"e.g. {round(end / window) * window:.10g}")
+    interval = case.get("output.interval")
+    if interval is not None and not is_multiple(interval, window):
+        wanted = max(1, round(interval / window)) * window
+        raise case.error("output.interval", f"must be a whole number of windows ({window:g} s); "
+                                            f"e.g. {wanted:.10g}")
+    step = case.get("parameters.dem_dt")
+    if step is not None and step > window * (1 + 1e-9):
+        raise case.error("parameters.dem_dt", f"is longer than coupling.window ({window:g} s)")
+    gravity = case.get("physics.gravity")
+    if math.hypot(*gravity) > 1000:
+        raise case.error("physics.gravity", "is above 1000 m/s2; give it in m/s2, e.g. [0, 0, -9.81]")
