@@ -1,0 +1,200 @@
+#include "fix_slidewave.h"
+
+#include <cstring>
+
+#include "atom.h"
+#include "error.h"
+#include "fix_property_atom.h"
+#include "force.h"
+#include "lammps.h"
+#include "modify.h"
+#include "neighbor.h"
+#include "update.h"
+
+namespace LAMMPS_NS {
+namespace {
+
+std::map<std::string, int> const known_columns = {
+    {"drag", 1}, {"fluid_velocity", 3}, {"force", 3}, {"impulse", 3}, {"memory", 4}};
+
+bool given_as_numbers(std::string const& column) {
+  return column != "impulse" && column != "memory";
+}
+
+}  // namespace
+
+FixSlidewave::FixSlidewave(LAMMPS* lammps, int argument_count, char** arguments)
+    : Fix(lammps, argument_count, arguments) {
+  vector_flag = 1;
+  size_vector = 3;
+  global_freq = 1;
+  extvector = 1;
+  int next = 3;
+  while (next < argument_count) {
+    std::string const name = arguments[next++];
+    auto const known = known_columns.find(name);
+    if (known == known_columns.end()) {
+      error->fix_error(FLERR, this, "columns are drag, fluid_velocity, force, impulse, memory");
+    }
+    Column& column = columns_[name];
+    column.components = known->second;
+    column.initial.assign(static_cast<std::size_t>(column.components), 0.0);
+    if (given_as_numbers(name)) {
+      if (next + column.components > argument_count) {
+        error->fix_error(FLERR, this, "a column lacks its initial values");
+      }
+      for (double& value : column.initial) {
+        value = force->numeric(FLERR, arguments[next++]);
+      }
+    }
+  }
+  if (has("drag") != has("fluid_velocity")) {
+    error->fix_error(FLERR, this, "drag and fluid_velocity need each other");
+  }
+}
+
+void FixSlidewave::post_create() {
+  for (auto& [name, column] : columns_) {
+    std::vector<std::string> words = {"slidewave_" + name,
+                                      "all",
+                                      "property/atom",
+                                      "slidewave_" + name,
+                                      column.components > 1 ? "vector" : "scalar",
+                                      "yes",
+                                      "no",
+                                      "no"};
+    for (double const value : column.initial) {
+      char text[32];
+      std::snprintf(text, sizeof(text), "%.17g", value);
+      words.emplace_back(text);
+    }
+    std::vector<char*> arguments;
+    for (std::string& word : words) {
+      arguments.push_back(word.data());
+    }
+    column.store =
+        modify->add_fix_property_atom(static_cast<int>(arguments.size()), arguments.data(), style);
+  }
+}
+
+void FixSlidewave::pre_delete(bool unfixed) {
+  for (auto& [name, column] : columns_) {
+    if (unfixed && column.store) {
+      modify->delete_fix(column.store->id);
+    }
+    column.store = nullptr;
+  }
+}
+
+int FixSlidewave::setmask() {
+  return FixConst::PRE_INITIAL_INTEGRATE | FixConst::POST_FORCE;
+}
+
+void FixSlidewave::init() {
+  if (!atom->rmass) {
+    error->fix_error(FLERR, this, "needs atom_style granular (a mass per atom)");
+  }
+  if (std::strcmp(update->unit_style, "si") != 0) {
+    error->fix_error(FLERR, this, "needs units si");
+  }
+  if (modify->n_fixes_style("multisphere") > 0) {
+    error->fix_error(FLERR, this, "fluid forces on multisphere bodies are not supported");
+  }
+}
+
+double* FixSlidewave::values(std::string const& column, int i) const {
+  Column const& found = columns_.at(column);
+  return found.components == 1 ? &found.store->vector_atom[i] : found.store->array_atom[i];
+}
+
+void FixSlidewave::setup(int) {
+  held_.find(*lmp);
+  factors_valid_ = false;
+  keep_forces();
+}
+
+// The first half kick of a step: positions, and so all forces but the fluid's, are those of the
+// last step's end.
+void FixSlidewave::pre_initial_integrate() {
+  kick();
+}
+
+void FixSlidewave::post_force(int) {
+  if (neighbor->ago == 0) {
+    factors_valid_ = false;  // atoms have moved to other slots
+  }
+  keep_forces();
+  kick();
+}
+
+void FixSlidewave::keep_forces() {
+  auto const numbers = 3 * static_cast<std::size_t>(atom->nlocal);
+  if (other_force_N_.size() < numbers) {
+    other_force_N_.resize(numbers + numbers / 8);
+  }
+  if (numbers > 0) {
+    std::memcpy(other_force_N_.data(), atom->f[0], numbers * sizeof(double));
+  }
+}
+
+void FixSlidewave::update_factors() {
+  auto const count = static_cast<std::size_t>(atom->nlocal);
+  factors_.resize(count);
+  double const half_dt_s = 0.5 * update->dt;
+  for (std::size_t i = 0; i < count; ++i) {
+    double const drag = *values("drag", static_cast<int>(i));
+    factors_[i] = slidewave::kick_factors(drag, atom->rmass[i], half_dt_s);
+  }
+  factors_valid_ = true;
+}
+
+void FixSlidewave::kick() {
+  bool const drags = has("drag");
+  if (drags && !factors_valid_) {
+    update_factors();
+  }
+  double const half_dt_s = 0.5 * update->dt;
+  double const* const drag = drags ? columns_.at("drag").store->vector_atom : nullptr;
+  double* const* const fluid = drags ? columns_.at("fluid_velocity").store->array_atom : nullptr;
+  double* const* const extra = has("force") ? columns_.at("force").store->array_atom : nullptr;
+  double* const* const impulse =
+      has("impulse") ? columns_.at("impulse").store->array_atom : nullptr;
+  double const* other = other_force_N_.data();
+  for (int i = 0; i < atom->nlocal; ++i) {
+    for (int axis = 0; axis < 3; ++axis, ++other) {
+      double& f = atom->f[i][axis];
+      double const v = atom->v[i][axis];
+      if (held_.held(atom->mask[i], axis)) {
+        f = *other;
+        if (drags && impulse) {
+          impulse[i][axis] += drag[i] * (fluid[i][axis] - v) * half_dt_s;
+        }
+        continue;
+      }
+      double const all_N = *other + (extra ? extra[i][axis] : 0.0);
+      if (!drags) {
+        f = all_N;
+        continue;
+      }
+      slidewave::KickFactors const& factors = factors_[static_cast<std::size_t>(i)];
+      f = slidewave::effective_force(factors, drag[i], fluid[i][axis], v, all_N);
+      if (impulse) {
+        impulse[i][axis] += slidewave::drag_impulse(factors, drag[i], fluid[i][axis], v, all_N,
+                                                    atom->rmass[i], half_dt_s);
+      }
+    }
+  }
+}
+
+double FixSlidewave::compute_vector(int axis) {
+  double sum = 0;
+  if (has("impulse")) {
+    for (int i = 0; i < atom->nlocal; ++i) {
+      sum += values("impulse", i)[axis];
+    }
+  }
+  MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, world);
+  return sum;
+}
+
+}  // namespace LAMMPS_NS

@@ -1,0 +1,65 @@
+// fix ID all slidewave [drag K] [fluid_velocity ux uy uz] [force fx fy fz] [impulse] [memory]
+//
+// What the fluid does to particles, around any velocity-Verlet integrator. Before each half kick
+// the force on an atom is replaced by the effective one that makes the integrator carry out the
+// exact solution of m dv/dt = K (u - v) + (contacts + weight + F) with all of it frozen over dt/2
+// (physics/exponential_kick.hpp); the drag's share is summed up in `impulse`. Must stand last in
+// the list of fixes, so that it sees the whole force.
+//
+// Every name is a column of its own, kept with the atom wherever it goes and through restarts; what
+// is not named is neither stored nor used. Units: K [kg/s], u [m/s], F [N], impulse [kg m/s];
+// `memory` (4 numbers) belongs to the coupler. The numbers given are the values of every atom at
+// first; the engine overwrites them once a window.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "fix.h"
+#include "held_atoms.h"
+#include "slidewave/physics/exponential_kick.hpp"
+
+namespace LAMMPS_NS {
+
+class FixPropertyAtom;
+
+class FixSlidewave : public Fix {
+ public:
+  FixSlidewave(LAMMPS* lmp, int argument_count, char** arguments);
+  void post_create() override;
+  void pre_delete(bool unfixed) override;
+  int setmask() override;
+  void init() override;
+  void setup(int) override;
+  void pre_initial_integrate() override;
+  void post_force(int) override;
+  void reset_dt() override { factors_valid_ = false; }
+  /// Sum of `impulse` over all atoms of all ranks, component `axis` [kg m/s].
+  double compute_vector(int axis) override;
+
+  bool has(std::string const& column) const { return columns_.count(column) > 0; }
+  /// The column's values of a local atom: 1, 3 or 4 numbers. The column must exist.
+  double* values(std::string const& column, int atom) const;
+  /// The values of drag have changed.
+  void drag_changed() { factors_valid_ = false; }
+
+ private:
+  struct Column {
+    int components = 1;
+    std::vector<double> initial;
+    FixPropertyAtom* store = nullptr;
+  };
+
+  void keep_forces();
+  void update_factors();
+  void kick();
+
+  std::map<std::string, Column> columns_;
+  slidewave::dem::HeldAtoms held_;
+  std::vector<double> other_force_N_;  // contacts, weight, other fixes; 3 per local atom
+  std::vector<slidewave::KickFactors> factors_;
+  bool factors_valid_ = false;
+};
+
+}  // namespace LAMMPS_NS

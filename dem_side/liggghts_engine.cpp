@@ -1,0 +1,248 @@
+#include "liggghts_engine.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "atom.h"
+#include "domain.h"
+#include "error_route.h"
+#include "fix_slidewave.h"
+#include "input.h"
+#include "lammps.h"
+#include "modify.h"
+#include "output.h"
+#include "registry.h"
+#include "script_scan.h"
+#include "stock_facts.h"
+#include "thermo.h"
+#include "update.h"
+
+namespace fs = std::filesystem;
+using LAMMPS_NS::FixSlidewave;
+using LAMMPS_NS::LAMMPS;
+
+namespace slidewave::dem {
+namespace {
+
+Session* guarded_session = nullptr;
+
+void refuse_in_script(char const* command) {
+  guarded_session->fail(std::string("the LIGGGHTS script says '") + command +
+                            "', but it may only set the scene up (run 0 at most): the coupled run "
+                            "advances time itself; prepare states with slidewave_dem --script",
+                        2);
+}
+
+// All ranks append to one file; lines reach it as they are finished.
+void send_screen_to(fs::path const& log, MPI_Comm comm, int rank) {
+  if (rank == 0) {
+    std::fclose(std::fopen(log.c_str(), "w"));
+  }
+  MPI_Barrier(comm);
+  std::fflush(stdout);
+  int const file = ::open(log.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0644);
+  if (file < 0) {
+    throw std::runtime_error("cannot write " + log.string());
+  }
+  ::dup2(file, STDOUT_FILENO);
+  ::close(file);
+  std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
+}
+
+fs::path case_file(Session const& session) {
+  return session.scene().directory() / "case.toml";
+}
+
+}  // namespace
+
+LiggghtsEngine::LiggghtsEngine(Session& session)
+    : session_(session), folder_(fs::absolute(session.scene().directory()) / "dem") {
+  Scene const& scene = session.scene();
+  fs::path const log = folder_.parent_path() / "log.dem";
+  end_s_ = scene.number("case.end_time");
+  output_interval_s_ = scene.number("output.interval", 0.0);
+  if (!fs::is_directory(folder_)) {
+    throw InputError(case_file(session).string(), "dem", folder_.string(), "no such folder");
+  }
+  send_screen_to(log, session.comm(), session.rank());
+  fs::current_path(folder_);
+  guarded_session = &session;
+  route_errors(session, log);
+  set_up_scene();
+  state_facts();
+}
+
+LiggghtsEngine::~LiggghtsEngine() {
+  quote_script_of(nullptr);
+  InsideLiggghts const inside;
+  lmp_.reset();
+}
+
+void LiggghtsEngine::set_up_scene() {
+  Scene const& scene = session_.scene();
+  fs::path const script = folder_.parent_path() / scene.text("dem.script");
+  if (!fs::is_regular_file(script)) {
+    throw InputError(case_file(session_).string(), "dem.script", scene.text("dem.script"),
+                     "no such file in " + folder_.parent_path().string());
+  }
+  ForbiddenCommand const found = find_forbidden(script, folder_);
+  if (!found.command.empty()) {
+    throw InputError(found.file.string(), "line " + std::to_string(found.line), found.command,
+                     found.command == "clear"
+                         ? "set the scene up in one go; clear would drop what slidewave added"
+                         : "remove it: VTK dumps hang a coupled run, and particles are written to "
+                           "dem/particles.vtk.series anyway");
+  }
+  InsideLiggghts const inside;
+  char words[][12] = {"slidewave", "-log", "none"};
+  char* arguments[] = {words[0], words[1], words[2]};
+  lmp_ = std::make_unique<LAMMPS>(3, arguments, session_.comm());
+  quote_script_of(lmp_.get());
+  register_fixes(*lmp_);
+  guard_run_commands(*lmp_, refuse_in_script);
+  if (fs::is_regular_file(folder_ / "parameters")) {
+    lmp_->input->file("parameters");
+  }
+  lmp_->input->file(script.c_str());
+  if (!fixes_registered(*lmp_)) {
+    session_.fail("the LIGGGHTS script says 'clear', which drops what slidewave added", 2);
+  }
+  if (!lmp_->domain->box_exist) {
+    throw InputError(script.string(), "create_box or read_data", "missing", "give the scene a box");
+  }
+  quote_script_of(nullptr);
+  wanted_dt_s_ = scene.number("parameters.dem_dt", lmp_->update->dt);
+  loop_ = std::make_unique<StepLoop>(*lmp_);
+  observers_ = std::make_unique<Observers>(*lmp_, scene);
+  if (output_interval_s_ > 0) {
+    snapshots_ = std::make_unique<Snapshots>(*lmp_, folder_,
+                                             static_cast<int>(scene.number("output.layers", 0.0)));
+  }
+  quantities_ = observers_->observe();
+}
+
+void LiggghtsEngine::state_facts() {
+  InsideLiggghts const inside;
+  if (auto const g = gravity(*lmp_)) {
+    session_.state("gravity", as_text(*g));
+  }
+  session_.state("boundary", boundaries(*lmp_));
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.17g", end_s_);
+  session_.state("end_time", text);
+}
+
+Box LiggghtsEngine::bounds() const {
+  return sub_domain(*lmp_);
+}
+
+std::vector<Feature> LiggghtsEngine::features() const {
+  return {{"fluid_kick", kick_ != nullptr, kick_ ? "exponential half kicks" : "no fluid forces"},
+          {"particle_layers", session_.scene().number("output.layers", 0.0) > 0, "output.layers"}};
+}
+
+void LiggghtsEngine::gather(Table& particles) {
+  LAMMPS_NS::Atom const& atom = *lmp_->atom;
+  particles.resize(atom.nlocal);
+  auto const fill = [&](char const* name, auto const& value) {
+    if (particles.has(name)) {
+      Table::Column column = particles[name];
+      for (int i = 0; i < atom.nlocal; ++i) {
+        value(i, column.col(i));
+      }
+    }
+  };
+  fill("position", [&](int i, auto out) { out = wrapped(*lmp_, atom.x[i]); });
+  fill("velocity", [&](int i, auto out) { out = Vec3(atom.v[i]); });
+  fill("radius", [&](int i, auto out) { out[0] = atom.radius[i]; });
+  fill("mass", [&](int i, auto out) { out[0] = atom.rmass[i]; });
+  for (char const* name : {"impulse", "memory"}) {
+    bool const kept = kick_ && kick_->has(name);
+    fill(name, [&](int i, auto out) {
+      for (long k = 0; k < out.rows(); ++k) {
+        out[k] = kept ? kick_->values(name, i)[k] : 0.0;
+      }
+    });
+  }
+}
+
+// Columns are known with the first answers only; the fix goes last, to see every other force.
+void LiggghtsEngine::add_kick(Table const& answers) {
+  std::string command = "fix slidewave_kick all slidewave";
+  command += answers.has("drag") ? " drag 0 fluid_velocity 0 0 0 impulse" : "";
+  command += answers.has("force") ? " force 0 0 0" : "";
+  command += answers.has("memory") ? " memory" : "";
+  lmp_->input->one(command.c_str());
+  kick_ = static_cast<FixSlidewave*>(lmp_->modify->find_fix_id("slidewave_kick"));
+}
+
+void LiggghtsEngine::apply(Table const& answers) {
+  InsideLiggghts const inside;
+  LAMMPS_NS::Atom const& atom = *lmp_->atom;
+  if (!kick_) {
+    add_kick(answers);
+  }
+  for (char const* name : {"drag", "fluid_velocity", "force", "memory"}) {
+    if (!answers.has(name)) {
+      continue;
+    }
+    Table::ConstColumn const column = answers[name];
+    for (int i = 0; i < atom.nlocal; ++i) {
+      if (!column.col(i).allFinite() || (std::string(name) == "drag" && column(0, i) < 0)) {
+        session_.fail("particle " + std::to_string(atom.tag[i]) + " received a bad " + name + ": " +
+                      std::to_string(column(0, i)));
+      }
+      for (long k = 0; k < column.rows(); ++k) {
+        kick_->values(name, i)[k] = column(k, i);
+      }
+    }
+  }
+  if (kick_->has("impulse")) {
+    for (int i = 0; i < atom.nlocal; ++i) {
+      std::fill_n(kick_->values("impulse", i), 3, 0.0);
+    }
+  }
+  kick_->drag_changed();
+}
+
+void LiggghtsEngine::advance(Window const& window) {
+  InsideLiggghts const inside;
+  bool const moves = window.length_s() > 0;
+  if (next_output_s_ == 0) {
+    write_if_due(moves ? window.index - 1 : window.index, window.t0_s);  // the initial state
+  }
+  if (!moves) {
+    return;
+  }
+  loop_->advance(window.length_s(), wanted_dt_s_, end_s_ - window.t0_s);
+  check_numbers();
+  lmp_->output->thermo->lost_check();
+  quantities_ = observers_->observe();
+  write_if_due(window.index, window.t1_s);
+  if (window.t1_s >= end_s_ * (1 - 1e-9)) {
+    loop_->finish();
+  }
+}
+
+void LiggghtsEngine::check_numbers() const {
+  LAMMPS_NS::Atom const& atom = *lmp_->atom;
+  for (int i = 0; i < atom.nlocal; ++i) {
+    if (!Vec3(atom.x[i]).allFinite() || !Vec3(atom.v[i]).allFinite()) {
+      session_.fail("particle " + std::to_string(atom.tag[i]) +
+                    " has no position or velocity any more (not a number): the DEM step is too "
+                    "large, or the forces on it are");
+    }
+  }
+}
+
+void LiggghtsEngine::write_if_due(long window, double time_s) {
+  if (snapshots_ && time_s >= next_output_s_ - 1e-6 * output_interval_s_) {
+    snapshots_->write(window, time_s);
+    next_output_s_ = output_interval_s_ * (std::floor(time_s / output_interval_s_ + 1e-6) + 1);
+  }
+}
+
+}  // namespace slidewave::dem

@@ -1,0 +1,56 @@
+// LIGGGHTS as a particle engine: runs the case's set-up script on the session's communicator, then
+// advances window by window. Screen output goes to DIR/log.dem, the working directory is DIR/dem.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "observers.h"
+#include "slidewave/coupler.hpp"
+#include "snapshot.h"
+#include "step_loop.h"
+
+namespace LAMMPS_NS {
+class FixSlidewave;
+class LAMMPS;
+}  // namespace LAMMPS_NS
+
+namespace slidewave::dem {
+
+class LiggghtsEngine : public ParticleEngine {
+ public:
+  /// Reads DIR/dem/parameters and the script dem.script, and states gravity, boundary and end_time.
+  explicit LiggghtsEngine(Session& session);
+  ~LiggghtsEngine() override;
+
+  Box bounds() const override;
+  std::vector<Quantity> quantities() const override { return quantities_; }
+  std::vector<Feature> features() const override;
+  void gather(Table& particles) override;
+  void apply(Table const& answers) override;
+  void advance(Window const& window) override;
+
+ private:
+  void set_up_scene();
+  void state_facts();
+  void add_kick(Table const& answers);
+  void check_numbers() const;
+  void write_if_due(long window, double time_s);
+
+  Session& session_;
+  std::filesystem::path folder_;  // DIR/dem
+  std::unique_ptr<LAMMPS_NS::LAMMPS> lmp_;
+  std::unique_ptr<StepLoop> loop_;
+  std::unique_ptr<Observers> observers_;
+  std::unique_ptr<Snapshots> snapshots_;
+  LAMMPS_NS::FixSlidewave* kick_ = nullptr;  // none in a dry scene
+  std::vector<Quantity> quantities_;
+  double wanted_dt_s_ = 0;
+  double end_s_ = 0;
+  double output_interval_s_ = 0;
+  double next_output_s_ = 0;
+};
+
+}  // namespace slidewave::dem

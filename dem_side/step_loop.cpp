@@ -1,0 +1,75 @@
+#include "step_loop.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "finish.h"
+#include "fix.h"
+#include "force.h"
+#include "integrate.h"
+#include "lammps.h"
+#include "modify.h"
+#include "pair.h"
+#include "timer.h"
+#include "update.h"
+
+namespace slidewave::dem {
+
+long StepLoop::steps_in(double window_s, double wanted_dt_s) {
+  return std::max(1L, static_cast<long>(std::ceil(window_s / wanted_dt_s - 1e-9)));
+}
+
+void StepLoop::set_up(double dt_s, long total_steps) {
+  LAMMPS_NS::Update& update = *lmp_.update;
+  long const most = std::numeric_limits<int>::max();
+  update.dt = dt_s;
+  update.timestep_set = true;
+  update.whichflag = 1;
+  update.nsteps = static_cast<int>(std::min(total_steps, most));
+  update.firststep = update.beginstep = update.ntimestep;
+  update.laststep = update.endstep = update.ntimestep + update.nsteps;
+  lmp_.init();
+  update.integrate->setup();
+  lmp_.timer->init();
+  lmp_.timer->barrier_start(TIME_LOOP);
+  dt_s_ = dt_s;
+  running_ = true;
+}
+
+void StepLoop::change_dt(double dt_s) {
+  lmp_.update->update_time();
+  lmp_.update->dt = dt_s;
+  for (int i = 0; i < lmp_.modify->nfix; ++i) {
+    lmp_.modify->fix[i]->reset_dt();
+  }
+  if (lmp_.force->pair) {
+    lmp_.force->pair->reset_dt();
+  }
+  lmp_.update->integrate->reset_dt();
+  dt_s_ = dt_s;
+}
+
+void StepLoop::advance(double window_s, double wanted_dt_s, double remaining_s) {
+  long const steps = steps_in(window_s, wanted_dt_s);
+  double const dt_s = window_s / static_cast<double>(steps);
+  if (!running_) {
+    set_up(dt_s, steps * std::lround(std::max(1.0, remaining_s / window_s)));
+  } else if (std::abs(dt_s - dt_s_) > 1e-9 * dt_s_) {  // windows t1 - t0 differ by round-off
+    change_dt(dt_s);
+  }
+  lmp_.update->integrate->run(static_cast<int>(steps));
+}
+
+void StepLoop::finish() {
+  if (!running_) {
+    return;
+  }
+  running_ = false;
+  lmp_.timer->barrier_stop(TIME_LOOP);
+  lmp_.update->nsteps = static_cast<int>(lmp_.update->ntimestep - lmp_.update->firststep);
+  lmp_.update->integrate->cleanup();
+  LAMMPS_NS::Finish(&lmp_).end(1);
+}
+
+}  // namespace slidewave::dem

@@ -1,0 +1,26 @@
+// What a set-up LIGGGHTS scene says about itself: facts that both sides of a run must agree about.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "slidewave/engine.hpp"
+
+namespace LAMMPS_NS {
+class LAMMPS;
+}
+
+namespace slidewave::dem {
+
+/// Sum of all fix gravity [m/s2], zero without one; nothing where it varies in time.
+std::optional<Vec3> gravity(LAMMPS_NS::LAMMPS& lmp);
+/// "p" (periodic) or "b" (bounded) for x, y, z, e.g. "b p b".
+std::string boundaries(LAMMPS_NS::LAMMPS& lmp);
+/// This rank's part of the box [m].
+Box sub_domain(LAMMPS_NS::LAMMPS& lmp);
+/// The image of `position_m` inside the periodic box.
+Vec3 wrapped(LAMMPS_NS::LAMMPS& lmp, double const* position_m);
+/// Three numbers that read back to the same doubles.
+std::string as_text(Vec3 const& v);
+
+}  // namespace slidewave::dem
