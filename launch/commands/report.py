@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from launch import places, process, report_page, results
+from launch import places, process, results
 from launch.case import read_toml
 from launch.errors import InputError
 from launch.progress import say
@@ -57,6 +57,8 @@ def finish(directory: Path, extra: dict, status: int | None) -> dict:
 
 def build(directory: Path) -> None:
     """Writes report.html."""
+    from launch import report_page  # matplotlib takes half a second: only where a page is written
+
     report_page.write(directory, read_toml(directory / "case.toml"), results.read_summary(directory))
     say(f"report: {directory / 'report.html'}")
 
