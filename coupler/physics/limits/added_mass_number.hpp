@@ -1,0 +1,18 @@
+// The added-mass number of a confined suspension, S = rho_f (C + phi/eps)/rho_s: by continuity a
+// moving particle pushes phi/eps of fluid the other way, and its inertia comes back through the
+// pressure gradient a window late. C is the virtual-mass coefficient where that force is lagged; 0
+// where it is inertia (always, here). Source: PHYSICS.md 0.10, 4.4, DESIGN.md 4.
+#pragma once
+
+namespace slidewave::limits {
+
+/// The mild coupling is proven up to here (a closed column failed at 2.1).
+constexpr double mild_added_mass_number = 1.0;
+
+inline double added_mass_number(double solid_fraction, double solid_density, double fluid_density,
+                                double lagged_coefficient = 0) {
+  return fluid_density * (lagged_coefficient + solid_fraction / (1 - solid_fraction)) /
+         solid_density;
+}
+
+}  // namespace slidewave::limits

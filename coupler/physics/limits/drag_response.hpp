@@ -1,0 +1,37 @@
+// How stiff the drag is: response time m/K of a particle against a step or a window.
+//
+//   x = K W/m                 of a particle in fluid that does not move
+//   x (1 + loading)           of the slip in a mixture whose fluid moves too,
+//                             loading = solid mass/fluid mass = phi rho_s/(eps rho_f)
+//
+// The exponential kick is exact for any x with the fluid frozen. The window coupling as built is
+// proven for x < 0.3 (DESIGN.md 4, the mild regime); the rate of a free suspension is right for
+// x (1 + loading) < 0.2.
+#pragma once
+
+namespace slidewave::limits {
+
+constexpr double mild_stiffness = 0.3;
+constexpr double accurate_mixture_stiffness = 0.2;
+
+/// m/K [s].
+inline double response_time(double mass_kg, double drag_kg_s) {
+  return mass_kg / drag_kg_s;
+}
+
+/// K W/m of a time W.
+inline double stiffness(double drag_kg_s, double time_s, double mass_kg) {
+  return drag_kg_s * time_s / mass_kg;
+}
+
+/// Solid mass over fluid mass of a mixture.
+inline double loading(double solid_fraction, double solid_density, double fluid_density) {
+  return solid_fraction * solid_density / ((1 - solid_fraction) * fluid_density);
+}
+
+/// Stiffness of the slip in a mixture: x (1 + loading).
+inline double mixture_stiffness(double stiffness_x, double mass_loading) {
+  return stiffness_x * (1 + mass_loading);
+}
+
+}  // namespace slidewave::limits

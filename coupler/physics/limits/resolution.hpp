@@ -1,0 +1,29 @@
+// How cells, particles and the smoothing kernel must stand to each other (DESIGN.md 5).
+#pragma once
+
+#include <algorithm>
+
+namespace slidewave::limits {
+
+/// Void fraction is valid with cells from a fifth of to five times the diameter.
+constexpr double smallest_cell_per_diameter = 0.2;
+constexpr double largest_cell_per_diameter = 5;
+
+/// Edge of a cube of the cell's volume, or of a square of its area where the mesh is one cell
+/// thick, is what `cell_m` means.
+inline double cell_per_diameter(double cell_m, double diameter_m) {
+  return cell_m / diameter_m;
+}
+
+/// Shortest smoothing length [m] with a smooth void fraction: 1.5 D_max and 1.5 cells.
+inline double smoothing_length(double largest_diameter_m, double cell_m) {
+  return 1.5 * std::max(largest_diameter_m, cell_m);
+}
+
+/// Narrowest periodic direction [m]: two diameters, or pairs that touch through both images share
+/// one contact history and the whole mass drifts (VAJONT.md).
+inline double periodic_width(double largest_diameter_m) {
+  return 2 * largest_diameter_m;
+}
+
+}  // namespace slidewave::limits
