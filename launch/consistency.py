@@ -27,11 +27,16 @@ def check(case: Case) -> None:
 
 
 def _check_files(case: Case) -> None:
-    script = case.directory / case.get("dem.script")
-    if not script.is_file():
-        raise case.error("dem.script", f"no such file below {case.directory}")
-    if "dem" != case.get("dem.script").split("/")[0]:
-        raise case.error("dem.script", "must lie in dem/, e.g. dem/in.setup")
+    if case.get("dem.engine") != "none":
+        script = case.get("dem.script")
+        if script is None:
+            raise case.error("dem.script", "missing: the LIGGGHTS script, e.g. \"dem/in.setup\"")
+        if script.split("/")[0] != "dem":
+            raise case.error("dem.script", "must lie in dem/, e.g. dem/in.setup")
+        if not (case.directory / script).is_file():
+            raise case.error("dem.script", f"no such file below {case.directory}")
+    elif case.get("fluid.engine") == "none":
+        raise case.error("dem.engine", "is none on both sides: the scene is empty")
     if case.get("fluid.engine") != "openfoam":
         return
     for name in FLUID_FILES:

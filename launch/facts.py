@@ -78,5 +78,7 @@ def mesh_facts(fluid: Path) -> MeshFacts | None:
 def gather(case: Case, directory: Path) -> Facts:
     """Facts of a prepared run directory."""
     mesh = mesh_facts(directory / "fluid") if case.get("fluid.engine") == "openfoam" else None
+    if case.get("dem.engine") == "none":
+        return Facts(mesh, dem_script.DemScene())
     script = directory / case.get("dem.script")
     return Facts(mesh, dem_script.read(script, directory / "dem" / "parameters"))

@@ -54,7 +54,8 @@ def check_inputs(case: Case, by_geometry: set[str] = frozenset()) -> None:
     sides = {}
     if case.get("fluid.engine") == "openfoam":
         sides["fluid"] = {p: fluid_code(t) for p, t in texts(case.directory / "fluid").items()}
-    sides["dem"] = {p: dem_code(t) for p, t in texts(case.directory / "dem").items()}
+    if case.get("dem.engine") != "none":
+        sides["dem"] = {p: dem_code(t) for p, t in texts(case.directory / "dem").items()}
     for name in case.parameters:
         if name in reserved_names(case):
             raise InputError(case.file, f"parameters.{name}", case.parameters[name],
@@ -106,7 +107,7 @@ def _check_gravity(case: Case, sides: dict[str, dict[Path, str]]) -> None:
         if found and [float(v) for v in found.group(1).split()] != wanted:
             raise InputError(path, "gravity", found.group(1),
                              f"the sides disagree: physics.gravity is {wanted}; write $gravity")
-    for path, text in sides["dem"].items():
+    for path, text in sides.get("dem", {}).items():
         found = re.search(r"^\s*fix\s+\S+\s+\S+\s+gravity\s+([\d.eE+-]+)", text, flags=re.M)
         magnitude = gravity_parts(case)["gravity"]
         if found and abs(float(found.group(1)) - magnitude) > 1e-9 * max(1.0, magnitude):

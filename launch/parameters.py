@@ -57,8 +57,9 @@ def dem_text(case: Case) -> str:
     return "\n".join(lines) + "\n"
 
 
-def write(case: Case, fluid: Path | None, dem: Path) -> None:
-    """Writes both files; `fluid` is None in a scene without a fluid case."""
+def write(case: Case, fluid: Path | None, dem: Path | None) -> None:
+    """Writes both files; a side that the scene does not have is None."""
     if fluid is not None:
         (fluid / "parameters").write_text(fluid_text(case))
-    (dem / "parameters").write_text(dem_text(case))
+    if dem is not None:
+        (dem / "parameters").write_text(dem_text(case))

@@ -53,9 +53,9 @@ def prepare(case: Case, directory: Path, ranks_fluid: int | None = None,
     """Fills an empty directory from a checked case. RunError where a utility fails."""
     start = time.monotonic()
     fluid = directory / "fluid" if case.get("fluid.engine") == "openfoam" else None
-    dem = directory / "dem"
-    for side in ("fluid", "dem") if fluid else ("dem",):
-        shutil.copytree(case.directory / side, directory / side)
+    dem = directory / "dem" if case.get("dem.engine") != "none" else None
+    for side in filter(None, (fluid, dem)):
+        shutil.copytree(case.directory / side.name, side)
     parameters.write(case, fluid, dem)
     hook = terrain_hook(case)
     if hook is not None:
@@ -72,7 +72,7 @@ def prepare(case: Case, directory: Path, ranks_fluid: int | None = None,
         (fluid / "case.foam").touch()
     else:
         fluid_ranks = 0 if case.get("fluid.engine") == "none" else ranks_fluid or 1
-    dem_ranks = ranks_dem or ranks.suggested(known.particles or 0, ranks.PARTICLES_A_RANK)
+    dem_ranks = ranks_dem or ranks.suggested(known.particles or 0, ranks.PARTICLES_A_RANK) if dem else 0
     write_case(case, directory, fluid_ranks, dem_ranks)
     return Prepared(directory, known, fluid_ranks, dem_ranks, time.monotonic() - start)
 

@@ -33,7 +33,8 @@ def mpirun_words(directory: Path, fluid: int, dem: int) -> list[str]:
     sides = []
     if fluid:
         sides.append(["-np", str(fluid), str(program("slidewave_foam")), str(directory)])
-    sides.append(["-np", str(dem), str(program("slidewave_dem")), str(directory)])
+    if dem:
+        sides.append(["-np", str(dem), str(program("slidewave_dem")), str(directory)])
     return words + sides[0] + ([":", *sides[1]] if len(sides) > 1 else [])
 
 
