@@ -1,0 +1,147 @@
+// The particle side's loop: gather -> send -> receive -> apply -> advance.
+#include <cmath>
+
+#include "outbox.hpp"
+#include "relay.hpp"
+#include "reporter.hpp"
+#include "signals.hpp"
+
+namespace slidewave {
+namespace {
+
+class DemLoop {
+ public:
+  DemLoop(Session::Impl& session, ParticleEngine& engine, Agreed const& agreed)
+      : session_(session),
+        engine_(engine),
+        agreed_(agreed),
+        windows_(Windows::of(session.scene)),
+        relay_(session),
+        outbox_(session, agreed) {
+    for (Field const& field : Layout::gathered(agreed.models, session.world.has_partner())) {
+      particles_.add(field);
+    }
+    for (Field const& field : Layout::answered(agreed.models)) {
+      answers_.add(field);
+    }
+    if (!session.world.has_partner() && session.is_root()) {
+      session.say(describe(agreed));
+      reporter_ = std::make_unique<Reporter>(session, agreed, windows_);
+    }
+  }
+
+  void run() {
+    bool stop = false;
+    for (long n = 0; n <= windows_.count() && !stop; ++n) {
+      gather();
+      if (n > 0) {
+        report(windows_[n - 1]);
+      }
+      stop = exchange(n) && n < windows_.count();
+      advance(windows_[n]);
+      last_ = n;
+    }
+    gather();
+    if (session_.world.has_partner()) {
+      outbox_.recall(particles_);
+    }
+    report(windows_[last_]);
+    if (session_.world.has_partner() && session_.is_root()) {
+      relay_.finish();
+    }
+    if (reporter_) {
+      reporter_->finish(stop);
+    }
+  }
+
+ private:
+  void gather() {
+    Scope const scope(session_.profile, Phase::exchange);
+    engine_.gather(particles_);
+    if (session_.world.has_partner()) {
+      outbox_.recall(particles_);
+    }
+  }
+
+  /// True if the run is to stop at the end of this window.
+  bool exchange(long n) {
+    if (!session_.world.has_partner()) {
+      double wish = stop_was_asked() ? 1 : 0;
+      session_.agreement.sum_side(&wish, 1, "all dem ranks to end the window");
+      return wish > 0;
+    }
+    bool const stop = outbox_.send(particles_, n, stop_was_asked());
+    outbox_.receive(answers_, n);
+    Scope const scope(session_.profile, Phase::exchange);
+    engine_.apply(answers_);
+    return stop;
+  }
+
+  void advance(Window const& window) {
+    Scope const scope(session_.profile, Phase::solve);
+    engine_.advance(window);
+    columns_ = engine_.quantities();
+  }
+
+  /// The row of a finished window, from particles gathered after it.
+  void report(Window const& window) {
+    DemSums sums = add_up();
+    session_.agreement.sum_side(numbers_of(sums), count_of<DemSums>(), "all dem ranks to add up");
+    if (!session_.is_root()) {
+      return;
+    }
+    if (reporter_) {
+      reporter_->add(window, sums, columns_, FluidSums(), {});
+    } else {
+      relay_.send(window.index, sums, columns_);
+    }
+  }
+
+  DemSums add_up() const {
+    DemSums sums;
+    sums.particles = static_cast<double>(particles_.size());
+    sums.mass_kg = particles_["mass"].sum();
+    Census const& census = outbox_.census();
+    sums.volume_m3 = census.volume_m3;
+    sums.nearest_cell = static_cast<double>(census.nearest_cell);
+    sums.outside = static_cast<double>(census.outside);
+    if (agreed_.models.ledger()) {
+      auto const impulse = particles_["impulse"];
+      Eigen::Map<Vec3>(sums.received) = impulse.rowwise().sum();
+      Eigen::Map<Vec3>(sums.ledger) = outbox_.ledger().rowwise().sum();
+      sums.received_abs = (agreed_.in_plane.asDiagonal() * impulse).colwise().norm().sum();
+    }
+    std::copy(session_.profile.seconds.begin(), session_.profile.seconds.end(), sums.seconds);
+    return sums;
+  }
+
+  Session::Impl& session_;
+  ParticleEngine& engine_;
+  Agreed const& agreed_;
+  Windows windows_;
+  Relay relay_;
+  Outbox outbox_;
+  Table particles_;
+  Table answers_;
+  std::vector<Quantity> columns_;
+  long last_ = 0;
+  std::unique_ptr<Reporter> reporter_;
+};
+
+}  // namespace
+
+int run(Session& session, ParticleEngine& engine) {
+  try {
+    Agreed const agreed = handshake(session.impl(), {{}, engine.features(), engine.bounds()});
+    watch_signals();
+    DemLoop(session.impl(), engine, agreed).run();
+    session.leave();
+    return 0;
+  } catch (InputError const& error) {
+    session.fail(error.what(), 2);
+  } catch (std::exception const& error) {
+    session.fail(error.what(), 1);
+  }
+}
+
+}  // namespace slidewave

@@ -1,0 +1,235 @@
+// The fluid side's loop: collect -> place -> deposit -> exchange -> advance -> sample -> answer.
+#include <utility>
+
+#include "closures.hpp"
+#include "inbox.hpp"
+#include "relay.hpp"
+#include "reporter.hpp"
+#include "signals.hpp"
+
+namespace slidewave {
+namespace {
+
+/// Below this share of water a particle is in air, which cannot take a ledger without jets.
+constexpr double air_saturation = 0.01;
+
+class FluidLoop {
+ public:
+  FluidLoop(Session::Impl& session, FluidEngine& engine, Agreed const& agreed)
+      : session_(session),
+        engine_(engine),
+        agreed_(agreed),
+        models_(agreed.models),
+        windows_(Windows::of(session.scene)),
+        relay_(session),
+        inbox_(session, agreed) {
+    for (Field const& field : agreed.layout.to_fluid) {
+      particles_.add(field);
+    }
+    for (Field const& field : agreed.layout.to_dem) {
+      particles_.add(field);
+    }
+    for (Need const& need : models_.needs()) {
+      if (need.field.name != "velocity") {  // sampled into fluid_velocity
+        particles_.add(need.field);
+      }
+    }
+    if (models_.ledger()) {
+      particles_.add({"repaid", "N", 3});
+      if (agreed.saturation) {
+        particles_.add({"saturation", "-", 1});
+      }
+    }
+    if (models_.porosity()) {
+      particles_.add({"volume", "m3", 1});
+    }
+    if (session.is_root()) {
+      session.say(describe(agreed));
+      reporter_ = std::make_unique<Reporter>(session, agreed, windows_);
+    }
+  }
+
+  void run() {
+    bool stop = false;
+    for (long n = 0; n <= windows_.count() && !stop; ++n) {
+      Window const window = windows_[n];
+      stop = collect(n) && n < windows_.count();
+      if (n > 0) {
+        report(windows_[n - 1]);
+      }
+      begin(window);
+      advance(window);
+      end(window);
+      last_ = n;
+    }
+    report(windows_[last_]);
+    if (reporter_) {
+      reporter_->finish(stop);
+    }
+  }
+
+ private:
+  /// True if the run is to stop at the end of this window.
+  bool collect(long n) {
+    if (session_.world.has_partner()) {
+      return inbox_.collect(engine_, particles_, cell_, n, stop_was_asked());
+    }
+    double wish = stop_was_asked() ? 1 : 0;
+    session_.agreement.sum_side(&wish, 1, "all fluid ranks to end the window");
+    return wish > 0;
+  }
+
+  void begin(Window const& window) {
+    {
+      Scope const scope(session_.profile, Phase::void_fraction);
+      engine_.place(std::as_const(particles_)["position"], cell_);
+      if (models_.porosity()) {
+        auto const radius = particles_["radius"];
+        auto volume = particles_["volume"];
+        for (long i = 0; i < particles_.size(); ++i) {
+          volume(0, i) = volume_of(radius(0, i));
+        }
+        engine_.deposit(std::as_const(particles_)["volume"]);
+      }
+    }
+    if (!models_.drag) {
+      return;
+    }
+    Scope const scope(session_.profile, Phase::force);
+    sample("velocity", "fluid_velocity");
+    sample("density");
+    sample("viscosity");
+    if (models_.porosity()) {
+      sample("void_fraction");
+    }
+    evaluate_drag(models_, particles_);
+    if (models_.ledger()) {
+      repay(window);
+      Table const& read = particles_;
+      engine_.exchange(read["drag"], read["velocity"], read["repaid"]);
+    }
+  }
+
+  /// The force that pays the ledger back to the fluid; a particle in air keeps its own.
+  void repay(Window const& window) {
+    double const rate = window.length_s() > 0 ? 1 / window.length_s() : 0;
+    particles_["repaid"] = rate * particles_["ledger"];
+    ledger_in_air_ = Vec3::Zero();
+    if (agreed_.saturation) {
+      sample("saturation");
+      auto const saturation = particles_["saturation"];
+      for (long i = 0; i < particles_.size(); ++i) {
+        if (saturation(0, i) < air_saturation) {
+          ledger_in_air_ += particles_["ledger"].col(i);
+          particles_["repaid"].col(i).setZero();
+        }
+      }
+    }
+  }
+
+  void advance(Window const& window) {
+    Scope const scope(session_.profile, Phase::solve);
+    engine_.advance(window);
+    columns_ = engine_.quantities();
+  }
+
+  void end(Window const& window) {
+    {
+      Scope const scope(session_.profile, Phase::force);
+      if (models_.drag) {
+        sample("velocity", "fluid_velocity");
+      }
+      if (models_.ledger()) {
+        sample("mean_velocity");
+        book(window.length_s());
+      }
+      if (models_.pressure_gradient) {
+        sample("pressure_gradient");
+        evaluate_force(particles_);
+      }
+    }
+    if (session_.world.has_partner()) {
+      inbox_.answer(particles_, cell_, window.index);
+    }
+    sums_ = add_up();
+  }
+
+  /// What each particle's share of the source took from the fluid, less what was paid back.
+  void book(double length_s) {
+    auto const drag = particles_["drag"];
+    auto const slip = particles_["mean_velocity"] - particles_["velocity"];
+    particles_["given"] = length_s * (slip * drag.row(0).asDiagonal() - particles_["repaid"]);
+  }
+
+  FluidSums add_up() {
+    FluidSums sums;
+    if (models_.ledger()) {
+      Eigen::Map<Vec3>(sums.given) = engine_.given_impulse();
+      Eigen::Map<Vec3>(sums.ledger_in_air) = ledger_in_air_;
+    }
+    if (models_.porosity()) {
+      sums.solid_volume_m3 = engine_.solid_volume_m3();
+    }
+    if (models_.porosity() && models_.pressure_gradient) {
+      Eigen::Map<Vec3>(sums.cell_pressure) = engine_.solid_pressure_force();
+      auto const force = particles_["force"];
+      Eigen::Map<Vec3>(sums.particle_pressure) = -force.rowwise().sum();
+      sums.particle_pressure_abs = force.colwise().norm().sum();
+    }
+    return sums;
+  }
+
+  /// The row of a finished window: the particle side's part comes after its advance.
+  void report(Window const& window) {
+    std::copy(session_.profile.seconds.begin(), session_.profile.seconds.end(), sums_.seconds);
+    session_.agreement.sum_side(numbers_of(sums_), count_of<FluidSums>(),
+                                "all fluid ranks to add up");
+    if (!reporter_) {
+      return;
+    }
+    if (session_.world.has_partner()) {
+      relay_.receive(window.index, dem_sums_, dem_columns_);
+    }
+    reporter_->add(window, dem_sums_, dem_columns_, sums_, columns_);
+  }
+
+  void sample(char const* field, char const* column = nullptr) {
+    engine_.sample(field, particles_[column ? column : field]);
+  }
+
+  Session::Impl& session_;
+  FluidEngine& engine_;
+  Agreed const& agreed_;
+  Models const& models_;
+  Windows windows_;
+  Relay relay_;
+  Inbox inbox_;
+  Table particles_;
+  std::vector<int> cell_;
+  Vec3 ledger_in_air_ = Vec3::Zero();
+  FluidSums sums_;
+  DemSums dem_sums_;
+  std::vector<Quantity> columns_;
+  std::vector<Quantity> dem_columns_;
+  long last_ = 0;
+  std::unique_ptr<Reporter> reporter_;
+};
+
+}  // namespace
+
+int run(Session& session, FluidEngine& engine) {
+  try {
+    Agreed const agreed =
+        handshake(session.impl(), {engine.samples(), engine.features(), engine.bounds()});
+    watch_signals();
+    FluidLoop(session.impl(), engine, agreed).run();
+    session.leave();
+    return 0;
+  } catch (InputError const& error) {
+    session.fail(error.what(), 2);
+  } catch (std::exception const& error) {
+    session.fail(error.what(), 1);
+  }
+}
+
+}  // namespace slidewave

@@ -1,0 +1,81 @@
+#include "layout.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace slidewave {
+namespace {
+
+constexpr double owners = 2097152;  // 2^21 ranks x 2^31 cells fit the 53 bits of a double
+
+std::string list(std::vector<Field> const& fields) {
+  std::string text;
+  for (Field const& field : fields) {
+    text += fmt::format("{}{}[{}]", text.empty() ? "" : " ", field.name, field.components);
+  }
+  return text;
+}
+
+}  // namespace
+
+Layout Layout::of(Models const& models) {
+  Layout layout;
+  layout.to_fluid = {{"position", "m", 3}, {"radius", "m", 1}, {"cell_hint", "-", 1}};
+  layout.to_dem = {{"cell", "-", 1}};
+  if (models.drag) {
+    layout.to_fluid.push_back({"velocity", "m/s", 3});
+    layout.to_dem.push_back({"drag", "kg/s", 1});
+    layout.to_dem.push_back({"fluid_velocity", "m/s", 3});
+  }
+  if (models.pressure_gradient) {
+    layout.to_dem.push_back({"force", "N", 3});
+  }
+  if (models.ledger()) {
+    layout.to_fluid.push_back({"ledger", "kg m/s", 3});
+    layout.to_dem.push_back({"given", "kg m/s", 3});
+  }
+  return layout;
+}
+
+std::vector<Field> Layout::gathered(Models const& models, bool has_partner) {
+  std::vector<Field> fields = {{"position", "m", 3}, {"radius", "m", 1}, {"mass", "kg", 1}};
+  if (has_partner) {
+    fields.push_back({"memory", "-", 4});
+    if (models.drag) {
+      fields.push_back({"velocity", "m/s", 3});
+    }
+    if (models.ledger()) {
+      fields.push_back({"impulse", "kg m/s", 3});
+    }
+  }
+  return fields;
+}
+
+std::vector<Field> Layout::answered(Models const&) {
+  return {{"drag", "kg/s", 1}, {"fluid_velocity", "m/s", 3}, {"force", "N", 3}, {"memory", "-", 4}};
+}
+
+std::string Layout::text() const {
+  return fmt::format("to fluid {} B: {}\nto dem {} B: {}", 8 * doubles_per_particle(to_fluid),
+                     list(to_fluid), 8 * doubles_per_particle(to_dem), list(to_dem));
+}
+
+int doubles_per_particle(std::vector<Field> const& fields) {
+  int count = 0;
+  for (Field const& field : fields) {
+    count += field.components;
+  }
+  return count;
+}
+
+HomeCode HomeCode::decode(double code) {
+  double const high = std::floor(code / owners);
+  return {static_cast<int>(code - high * owners) - 1, static_cast<int>(high) - 1};
+}
+
+double HomeCode::encode() const {
+  return (owner + 1) + owners * (cell + 1.0);
+}
+
+}  // namespace slidewave

@@ -1,0 +1,99 @@
+#include "models.hpp"
+
+#include <fmt/format.h>
+
+namespace slidewave {
+namespace {
+
+std::string choice(Scene const& scene, std::string const& key, std::string const& otherwise,
+                   std::vector<std::string> const& allowed) {
+  std::string const value = scene.text(key, otherwise);
+  std::string list;
+  for (std::string const& option : allowed) {
+    if (value == option) {
+      return value;
+    }
+    list += (list.empty() ? "\"" : ", \"") + option + "\"";
+  }
+  throw InputError((scene.directory() / "case.toml").string(), key, "\"" + value + "\"",
+                   "is unknown; choose one of " + list);
+}
+
+double positive(Scene const& scene, std::string const& key, double value) {
+  if (!(value > 0)) {
+    throw InputError((scene.directory() / "case.toml").string(), key, fmt::format("{}", value),
+                     "must be positive");
+  }
+  return value;
+}
+
+}  // namespace
+
+Models Models::from(Scene const& scene) {
+  Models models;
+  choice(scene, "coupling.scheme", "serial", {"serial"});
+  models.drag = choice(scene, "models.drag", "di_felice", {"di_felice", "none"}) != "none";
+  models.drag_coefficient =
+      choice(scene, "models.drag_coefficient", "brown_lawler", {"brown_lawler"});
+  models.formulation =
+      choice(scene, "models.formulation", "A", {"A"}) == "A" ? Formulation::A : Formulation::B;
+  models.pressure_gradient = scene.flag("models.pressure_gradient", true);
+  models.two_way =
+      choice(scene, "coupling.reaction", "two_way", {"two_way", "one_way"}) == "two_way";
+  std::string const outside =
+      choice(scene, "coupling.outside", "error", {"error", "warn", "ignore"});
+  models.outside = outside == "error"  ? Outside::error
+                   : outside == "warn" ? Outside::warn
+                                       : Outside::ignore;
+  models.coarse_grain =
+      positive(scene, "parameters.coarse_grain", scene.number("parameters.coarse_grain", 1.0));
+  if (models.two_way) {
+    models.smoothing_length_m =
+        positive(scene, "coupling.smoothing_length", scene.number("coupling.smoothing_length"));
+  }
+  return models;
+}
+
+Models Models::none() {
+  Models models;
+  models.drag = models.pressure_gradient = models.two_way = false;
+  return models;
+}
+
+std::vector<Need> Models::needs() const {
+  std::vector<Need> needs;
+  if (drag) {
+    needs.push_back({{"velocity", "m/s", 3}, "drag"});
+    needs.push_back({{"density", "kg/m3", 1}, "drag"});
+    needs.push_back({{"viscosity", "Pa s", 1}, "drag"});
+    if (porosity()) {
+      needs.push_back({{"void_fraction", "-", 1}, "drag"});
+    }
+  }
+  if (ledger()) {
+    needs.push_back({{"mean_velocity", "m/s", 3}, "two-way momentum"});
+  }
+  if (pressure_gradient) {
+    needs.push_back({{"pressure_gradient", "Pa/m", 3}, "pressure-gradient force"});
+  }
+  return needs;
+}
+
+std::vector<Feature> Models::features() const {
+  return {
+      {"drag", drag,
+       drag ? "Di Felice with Brown-Lawler, formulation A" : "models.drag = \"none\""},
+      {"pressure-gradient force", pressure_gradient,
+       pressure_gradient ? "buoyancy included" : "models.pressure_gradient = false"},
+      {"porosity", porosity(),
+       porosity() ? "the fluid sees the particles' volume" : "coupling.reaction = \"one_way\""},
+      {"momentum reaction and ledger", ledger(),
+       ledger() ? "drag implicit in the fluid, remainder repaid"
+                : (drag ? "coupling.reaction = \"one_way\"" : "no drag")},
+      {"coarse graining", coarse_grain != 1,
+       coarse_grain != 1 ? fmt::format("alpha = {}", coarse_grain) : "a particle is a grain"},
+      {"angular velocity", false, "no model of lift or torque"},
+  };
+}
+
+}  // namespace slidewave

@@ -1,0 +1,42 @@
+// Which physics the case switches on, and hence what must be exchanged.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "slidewave/engine.hpp"
+#include "slidewave/physics/grain.hpp"
+#include "slidewave/scene.hpp"
+
+namespace slidewave {
+
+enum class Outside { error, warn, ignore };
+
+/// A field that a model wants from the fluid engine.
+struct Need {
+  Field field;
+  std::string model;
+};
+
+struct Models {
+  bool drag = true;
+  std::string drag_coefficient = "brown_lawler";
+  Formulation formulation = Formulation::A;
+  bool pressure_gradient = true;
+  bool two_way = true;
+  double coarse_grain = 1;        ///< alpha: particle diameter over grain diameter
+  double smoothing_length_m = 0;  ///< kernel length, two-way only
+  Outside outside = Outside::error;
+
+  static Models from(Scene const& scene);
+  /// One side alone: nothing is exchanged.
+  static Models none();
+  /// Porosity: the fluid sees the particles' volume.
+  bool porosity() const { return two_way; }
+  /// Momentum goes both ways, so what is given and not received must be kept.
+  bool ledger() const { return two_way && drag; }
+  std::vector<Need> needs() const;
+  std::vector<Feature> features() const;
+};
+
+}  // namespace slidewave

@@ -1,0 +1,194 @@
+#include "outbox.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "exchange_columns.hpp"
+#include "tags.hpp"
+
+namespace slidewave {
+
+Outbox::Outbox(Session::Impl& session, Agreed const& agreed)
+    : session_(session),
+      agreed_(agreed),
+      map_(agreed.fluid_boxes),
+      channel_(session),
+      sender_(session.world, session.waiter) {
+  derived_.add({"ledger", "kg m/s", 3});
+  derived_.add({"cell_hint", "-", 1});
+}
+
+void Outbox::recall(Table const& particles) {
+  derived_.resize(particles.size());
+  owner_.resize(particles.size());
+  auto const memory = particles["memory"];
+  auto hint = derived_["cell_hint"];
+  for (long i = 0; i < particles.size(); ++i) {
+    HomeCode const home = HomeCode::decode(memory(3, i));
+    owner_[i] = home.owner;
+    hint(0, i) = home.cell;
+  }
+  if (agreed_.models.ledger()) {
+    derived_["ledger"] =
+        agreed_.in_plane.asDiagonal() * (memory.topRows<3>() - particles["impulse"]);
+  }
+}
+
+void Outbox::choose_destinations(Table const& particles) {
+  auto const position = particles["position"];
+  auto const radius = particles["radius"];
+  for (long i = 0; i < particles.size(); ++i) {
+    if (owner_[i] < 0 || owner_[i] >= session_.world.partner_size) {
+      owner_[i] = map_.first(position.col(i), radius(0, i));
+      derived_["cell_hint"](0, i) = -1;
+    }
+  }
+  groups_.sort(owner_, session_.world.partner_size);
+}
+
+void Outbox::pack_rows(Table const& particles, int const* rows, long count, double* out) const {
+  for (Field const& field : agreed_.layout.to_fluid) {
+    Table const& source = derived_.has(field.name) ? derived_ : particles;
+    if (!pack(source[field.name], rows, count, out)) {
+      long bad = 0;
+      while (all_finite(out + bad * field.components, field.components)) {
+        ++bad;
+      }
+      session_.failure.fail(fmt::format("'{}' of the particle at {} is not a finite number",
+                                        field.name, place_of(particles, rows[bad])),
+                            1);
+    }
+    out += count * field.components;
+  }
+}
+
+bool Outbox::send(Table const& particles, long window, bool stop_wanted) {
+  Scope const scope(session_.profile, Phase::exchange);
+  recall(particles);
+  choose_destinations(particles);
+  int const width = doubles_per_particle(agreed_.layout.to_fluid);
+  buffers_.resize(std::max<std::size_t>(buffers_.size(), groups_.size()));
+  for (int g = 0; g < groups_.size(); ++g) {
+    std::vector<double>& buffer = buffers_[g];
+    buffer.resize(header_size + width * groups_.count(g));
+    buffer[0] = stamp(window, tag::particles);
+    buffer[1] = static_cast<double>(groups_.count(g));
+    pack_rows(particles, groups_.rows(g), groups_.count(g), buffer.data() + header_size);
+    sender_.send(groups_.destination(g), buffer, tag::particles);
+  }
+  sender_.finish("the particles");
+
+  double common[2] = {0, stop_wanted ? 1.0 : 0.0};  // misses, wishes to stop
+  session_.agreement.sum_all(common, 2, "fluid: to locate the particles");
+  misses_.clear();
+  census_ = {};
+  if (common[0] > 0) {
+    read_misses(particles, window);
+    query_others(particles, window);
+    send_moves(particles, window);
+  }
+  expect_answers();
+  judge_outside(particles, window);
+  return common[1] > 0;
+}
+
+void Outbox::judge_outside(Table const& particles, long window) {
+  auto const radius = particles["radius"];
+  long first_outside = -1;
+  for (long i = 0; i < particles.size(); ++i) {
+    if (owner_[i] >= 0) {
+      census_.volume_m3 += 4 * M_PI / 3 * std::pow(radius(0, i), 3);
+    } else {
+      first_outside = census_.outside++ == 0 ? i : first_outside;
+    }
+  }
+  if (census_.outside == 0 || agreed_.models.outside == Outside::ignore) {
+    return;
+  }
+  std::string const text = fmt::format(
+      "{} particle(s) outside the fluid mesh at window {}, the first at {}, {:.3g} m beyond the "
+      "fluid's box",
+      census_.outside, window, place_of(particles, first_outside),
+      map_.distance_m(particles["position"].col(first_outside)));
+  if (agreed_.models.outside == Outside::error) {
+    session_.failure.fail(
+        text + "; enlarge the mesh, or set coupling.outside to \"warn\" or \"ignore\"", 1);
+  }
+  if (census_.outside > most_outside_) {
+    most_outside_ = 2 * census_.outside;  // speak again when it has doubled
+    session_.failure.terminal().say("slidewave: warning: " + text);
+  }
+}
+
+void Outbox::expect_answers() {
+  expected_count_ = 0;
+  expected_.resize(std::max<std::size_t>(expected_.size(), groups_.size()));
+  for (int g = 0; g < groups_.size(); ++g) {
+    Expected& expected = expected_[expected_count_];
+    expected.rank = groups_.destination(g);
+    expected.rows.clear();
+    for (long k = 0; k < groups_.count(g); ++k) {
+      int const row = groups_.rows(g)[k];
+      if (owner_[row] == expected.rank) {
+        expected.rows.push_back(row);
+      }
+    }
+    ++expected_count_;
+  }
+  for (Miss const& miss : misses_) {
+    if (miss.winner < 0 || miss.winner == miss.tried) {
+      continue;
+    }
+    std::size_t k = 0;
+    while (k < expected_count_ && expected_[k].rank != miss.winner) {
+      ++k;
+    }
+    if (k == expected_count_) {
+      expected_.resize(std::max(expected_.size(), ++expected_count_));
+      expected_[k].rank = miss.winner;
+      expected_[k].rows.clear();
+    }
+    expected_[k].rows.push_back(miss.row);
+  }
+}
+
+void Outbox::receive(Table& answers, long window) {
+  Scope const scope(session_.profile, Phase::exchange);
+  answers.resize(static_cast<long>(owner_.size()));
+  for (char const* name : {"drag", "fluid_velocity", "force", "memory"}) {
+    answers[name].setZero();
+  }
+  auto memory = answers["memory"];
+  if (agreed_.models.ledger()) {
+    memory.topRows<3>() = derived_["ledger"];
+  }
+  Phase phase = Phase::wait;
+  for (std::size_t e = 0; e < expected_count_; ++e) {
+    auto const& [rank, rows] = expected_[e];
+    if (rows.empty()) {
+      continue;
+    }
+    channel_.receive(rank, tag::answers, window, incoming_, "answers", phase);
+    phase = Phase::exchange;
+    long const count = static_cast<long>(rows.size());
+    double const* in = incoming_.data() + header_size;
+    for (Field const& field : agreed_.layout.to_dem) {
+      if (field.name == "cell") {
+        for (long k = 0; k < count; ++k) {
+          memory(3, rows[k]) = HomeCode{rank, static_cast<int>(in[k])}.encode();
+        }
+      } else if (field.name == "given") {
+        for (long k = 0; k < count; ++k) {
+          memory.col(rows[k]).head<3>() +=
+              agreed_.in_plane.cwiseProduct(Eigen::Map<Vec3 const>(in + 3 * k));
+        }
+      } else {
+        unpack(in, rows.data(), count, answers[field.name]);
+      }
+      in += count * field.components;
+    }
+  }
+}
+
+}  // namespace slidewave

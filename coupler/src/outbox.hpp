@@ -1,0 +1,71 @@
+// The particle side of the exchange: sends each particle to the fluid rank that owns it, and brings
+// the answers back to the same rows.
+#pragma once
+
+#include "channel.hpp"
+#include "handshake.hpp"
+#include "routes.hpp"
+#include "sparse.hpp"
+
+namespace slidewave {
+
+/// What became of this rank's particles in a window.
+struct Census {
+  long nearest_cell = 0;  ///< centre outside the mesh by less than a radius: nearest cell used
+  long outside = 0;       ///< farther: no fluid acts on them
+  double volume_m3 = 0;   ///< of those that the fluid sees
+};
+
+class Outbox {
+ public:
+  Outbox(Session::Impl& session, Agreed const& agreed);
+  /// Sends this rank's particles and settles who owns each. True if any rank of either side wants
+  /// to stop.
+  bool send(Table const& particles, long window, bool stop_wanted);
+  /// Fills drag, fluid_velocity, force and memory; zero for particles outside.
+  void receive(Table& answers, long window);
+  Census const& census() const { return census_; }
+  /// Per particle of the last send: given and not yet received [kg m/s].
+  Table::ConstColumn ledger() const { return derived_["ledger"]; }
+  /// Unpacks memory: ledger and last home. Called by send(), and once more after the last window.
+  void recall(Table const& particles);
+
+ private:
+  struct Miss {
+    int row;
+    int index;  ///< in the message to the rank that was tried
+    int tried;
+    int winner;
+    double distance_m;
+  };
+  struct Expected {
+    int rank;
+    std::vector<int> rows;
+  };
+
+  void choose_destinations(Table const& particles);
+  void pack_rows(Table const& particles, int const* rows, long count, double* out) const;
+  void read_misses(Table const& particles, long window);
+  void query_others(Table const& particles, long window);
+  void send_moves(Table const& particles, long window);
+  void expect_answers();
+  void judge_outside(Table const& particles, long window);
+
+  Session::Impl& session_;
+  Agreed const& agreed_;
+  CoarseMap map_;
+  Channel channel_;
+  SparseSender sender_;
+  Table derived_;  ///< ledger, cell_hint
+  Groups groups_;
+  std::vector<int> owner_;
+  std::vector<std::vector<double>> buffers_;
+  std::vector<double> incoming_;
+  std::vector<Miss> misses_;
+  std::vector<Expected> expected_;
+  std::size_t expected_count_ = 0;
+  Census census_;
+  long most_outside_ = 0;
+};
+
+}  // namespace slidewave

@@ -1,0 +1,43 @@
+#include "wait.hpp"
+
+#include <fmt/format.h>
+#include <sched.h>
+
+#include <algorithm>
+#include <thread>
+
+namespace slidewave {
+
+bool Waiter::Attempt::back_off() {
+  ++tries;
+  if (tries <= 30) {
+    sched_yield();
+    return false;
+  }
+  long const microseconds = std::min(200L, 5 * (tries - 30));
+  std::this_thread::sleep_for(std::chrono::microseconds(microseconds));
+  double const now = now_s();
+  if (now - checked_s < 0.1) {
+    return false;
+  }
+  checked_s = now;
+  return true;
+}
+
+void Waiter::remind(Attempt& attempt, std::string const& awaited) const {
+  double const waited = attempt.checked_s - attempt.start_s;
+  if (waited > patience_s_) {
+    failure_.fail(
+        fmt::format("waited {:.3g} s for {}, longer than coupling.patience = {:.3g} s; raise it if "
+                    "one window may take that long",
+                    waited, awaited, patience_s_),
+        1);
+  }
+  if (speaks_ && attempt.checked_s - attempt.spoken_s > 30) {
+    attempt.spoken_s = attempt.checked_s;
+    failure_.terminal().say(
+        fmt::format("slidewave: {} has waited {:.0f} s for {}", failure_.who(), waited, awaited));
+  }
+}
+
+}  // namespace slidewave
