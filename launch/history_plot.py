@@ -15,8 +15,8 @@ def figure(history: dict[str, np.ndarray], targets: list[dict], first: list[str]
     if not history or len(history.get("time_s", ())) < 2:
         return None
     named = [t["column"] for t in targets] + first
-    columns = [c for c in dict.fromkeys(named + list(history)) if _varies(history, c) or c in named]
-    columns = [c for c in columns if c in history and c not in BOOKKEEPING][:MOST_PANELS]
+    columns = [c for c in dict.fromkeys(named + list(history)) if c in history and c not in BOOKKEEPING]
+    columns = [c for c in columns if c in named or _varies(history[c])][:MOST_PANELS]
     if not columns:
         return None
     across = min(3, len(columns))
@@ -35,9 +35,9 @@ def figure(history: dict[str, np.ndarray], targets: list[dict], first: list[str]
     return drawing
 
 
-def _varies(history: dict[str, np.ndarray], column: str) -> bool:
-    values = history[column][np.isfinite(history[column])]
-    return column not in BOOKKEEPING and values.size > 1 and bool(np.ptp(values) > 0)
+def _varies(values: np.ndarray) -> bool:
+    values = values[np.isfinite(values)]
+    return values.size > 1 and bool(np.ptp(values) > 0)
 
 
 def _mark(axes, target: dict) -> None:

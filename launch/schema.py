@@ -97,8 +97,9 @@ def hint(dotted: str) -> str:
     """What a user may have meant by an unknown key."""
     tails = {k.split(".")[-1]: k for k in KEYS if "*" not in k}
     tail = dotted.split(".")[-1]
-    if tail in tails:
-        return f"did you mean {tails[tail]!r}?"
+    begun = [k for k in tails.values() if k.startswith(dotted)]
+    if tail in tails or begun:
+        return f"did you mean {(tails.get(tail) or begun[0])!r}?"
     return did_you_mean(dotted, (k for k in KEYS if "*" not in k)) or "slidewave knows no such key"
 
 
