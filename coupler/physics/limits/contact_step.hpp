@@ -31,7 +31,11 @@ inline double contact_time(double mass_kg, double kn_N_m) {
   return M_PI * std::sqrt(mass_kg / (2 * kn_N_m));
 }
 
-/// Accuracy asks for this many steps a collision (PHYSICS.md 4.1: 20 to 50).
-constexpr double steps_per_contact = 10;
+/// Share of the critical step that a run should keep to: 0.36 sqrt(m/kn) for ks = 0.9 kn.
+constexpr double comfortable_step_fraction = 0.7;
+
+/// Steps in a collision for dense flow, whose contacts last (VAJONT.md: no effect down to 4.3);
+/// single collisions want 20 to 50 (PHYSICS.md 4.1).
+constexpr double steps_per_contact = 6;
 
 }  // namespace slidewave::limits

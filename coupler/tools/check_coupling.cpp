@@ -1,0 +1,146 @@
+// The window between two exchanges: drag stiffness, added mass, particles crossing cells.
+#include <algorithm>
+#include <cmath>
+
+#include "checks.hpp"
+#include "slidewave/physics/drag_models.hpp"
+#include "slidewave/physics/limits/added_mass_number.hpp"
+#include "slidewave/physics/limits/courant.hpp"
+#include "slidewave/physics/limits/drag_response.hpp"
+
+namespace slidewave::preflight {
+namespace {
+
+constexpr double usual_solid_fraction = 0.6;
+
+/// K [kg/s] of the smallest particle with the case's own law.
+double drag_of(Facts const& facts, double slip_m_s, double eps) {
+  DragModel const model =
+      drag_model(facts.text("drag", "di_felice"), facts.text("drag_coefficient", "brown_lawler"),
+                 facts.text("formulation", "A"));
+  auto const one = [](double value) { return Eigen::MatrixXd::Constant(1, 1, value).eval(); };
+  Eigen::MatrixXd fluid_velocity = Eigen::MatrixXd::Zero(3, 1);
+  fluid_velocity(0, 0) = slip_m_s;
+  Eigen::MatrixXd const radius = one(facts.number("diameter_min_m") / 2),
+                        rest = Eigen::MatrixXd::Zero(3, 1),
+                        density = one(facts.number("fluid_density_kg_m3")),
+                        viscosity = one(facts.number("fluid_viscosity_Pa_s")), voids = one(eps);
+  Eigen::MatrixXd drag(1, 1);
+  drag_coefficients(
+      model,
+      {facts.number("coarse_grain", 1), radius, rest, fluid_velocity, density, viscosity, voids},
+      drag);
+  return drag(0, 0);
+}
+
+/// K in a packed bed at the slip at which drag carries the weight of the submerged particle: a bed
+/// that is swept faster flies apart.
+double packed_drag(Facts const& facts, double eps, double largest_slip) {
+  double const weight =
+      eps * sphere_volume(facts.number("diameter_min_m")) *
+      std::abs(facts.number("particle_density_min_kg_m3") - facts.number("fluid_density_kg_m3")) *
+      facts.number("gravity_m_s2", 9.81);
+  double low = 0, high = largest_slip;
+  for (int i = 0; i < 60; ++i) {
+    double const slip = (low + high) / 2;
+    (drag_of(facts, slip, eps) * slip < weight ? low : high) = slip;
+  }
+  return drag_of(facts, high, eps);
+}
+
+void check_stiffness(Facts const& facts, Sheet& sheet) {
+  std::string const quantity = "response of the drag in a window, K W/m";
+  if (!sheet.needs(facts, quantity,
+                   {"window_s", "diameter_min_m", "particle_density_min_kg_m3",
+                    "fluid_density_kg_m3", "fluid_viscosity_Pa_s"})) {
+    return;
+  }
+  if (!facts.has("slip_m_s") && !facts.has("speed_m_s")) {
+    sheet.left_out(quantity, "not known: slip_m_s or speed_m_s");
+    return;
+  }
+  double const slip = facts.has("slip_m_s") ? facts.number("slip_m_s") : facts.number("speed_m_s");
+  double const phi = solid_fraction(facts);
+  double const mass =
+      facts.number("particle_density_min_kg_m3") * sphere_volume(facts.number("diameter_min_m"));
+  double const drag = std::max(drag_of(facts, slip, 1), packed_drag(facts, 1 - phi, slip));
+  double const window = facts.number("window_s");
+  double const x = limits::stiffness(drag, window, mass);
+  bool const two_way = facts.flag("two_way", true);
+  double const loading = limits::loading(phi, facts.number("particle_density_min_kg_m3"),
+                                         facts.number("fluid_density_kg_m3"));
+  // A fluid that hardly feels the particles cannot answer them wrongly: only the mixture must be
+  // mild then, and one-way nothing must.
+  bool const answers = two_way && x * loading > limits::mild_stiffness;
+  sheet.at_most(quantity, x, limits::mild_stiffness, answers ? limits::mild_stiffness : INFINITY,
+                "proven range of the serial coupling",
+                {"coupling.window", window * limits::mild_stiffness / x});
+  if (two_way) {
+    double const mixture = limits::mixture_stiffness(x, loading);
+    sheet.at_most("relaxation of the mixture, K W/m (1 + loading)", mixture,
+                  limits::accurate_mixture_stiffness, INFINITY,
+                  "rate of a free suspension right within a tenth",
+                  {"coupling.window", window * limits::accurate_mixture_stiffness / mixture});
+  }
+  if (facts.has("dem_dt_s")) {
+    sheet.note("response of the drag in a particle step, K dt/m",
+               limits::stiffness(drag, facts.number("dem_dt_s"), mass),
+               "the exponential kick is exact at any");
+  }
+}
+
+void check_added_mass(Facts const& facts, Sheet& sheet) {
+  std::string const quantity = "added-mass number rho_f phi/(rho_s eps)";
+  if (!facts.flag("two_way", true)) {
+    sheet.left_out(quantity, "one-way: the fluid does not see the particles");
+    return;
+  }
+  if (sheet.needs(facts, quantity, {"particle_density_min_kg_m3", "fluid_density_kg_m3"})) {
+    double const limit = limits::mild_added_mass_number;
+    double const number =
+        limits::added_mass_number(solid_fraction(facts), facts.number("particle_density_min_kg_m3"),
+                                  facts.number("fluid_density_kg_m3"));
+    sheet.at_most(quantity, number, limit, limit, "inertia that comes back a window late",
+                  {"parameters.particle_density",
+                   facts.number("particle_density_min_kg_m3") * number / limit});
+  }
+}
+
+void check_crossing(Facts const& facts, Sheet& sheet) {
+  std::string const quantity = "cells crossed in a window";
+  if (sheet.needs(facts, quantity, {"window_s", "speed_m_s", "cell_size_m"})) {
+    double const cell = facts.number("cell_size_m");
+    double const speed = facts.number("speed_m_s");
+    double const works = limits::courant_step(limits::largest_crossing, speed, cell);
+    sheet.at_most(quantity, limits::courant(speed, facts.number("window_s"), cell),
+                  limits::largest_crossing, 1, "void fraction moves with the particles",
+                  {"coupling.window", works});
+  }
+}
+
+}  // namespace
+
+double solid_fraction(Facts const& facts) {
+  if (facts.has("solid_fraction")) {
+    return facts.number("solid_fraction");
+  }
+  if (!facts.has("particles") || !facts.has("diameter_max_m") || !facts.has("smoothing_length_m")) {
+    return usual_solid_fraction;
+  }
+  // Few particles, all in one place: what their kernel exp(-r^2/L^2) makes of their volume.
+  double const kernel = std::pow(M_PI, 1.5) * std::pow(facts.number("smoothing_length_m"), 3);
+  return std::min(usual_solid_fraction, facts.number("particles") *
+                                            sphere_volume(facts.number("diameter_max_m")) / kernel);
+}
+
+void check_coupling(Facts const& facts, Sheet& sheet) {
+  if (facts.text("drag", "di_felice") == "none") {
+    sheet.left_out("response of the drag", "models.drag = \"none\"");
+  } else {
+    check_stiffness(facts, sheet);
+  }
+  check_added_mass(facts, sheet);
+  check_crossing(facts, sheet);
+}
+
+}  // namespace slidewave::preflight
