@@ -56,11 +56,12 @@ def check_inputs(case: Case, by_geometry: set[str] = frozenset()) -> None:
         sides["fluid"] = {p: fluid_code(t) for p, t in texts(case.directory / "fluid").items()}
     if case.get("dem.engine") != "none":
         sides["dem"] = {p: dem_code(t) for p, t in texts(case.directory / "dem").items()}
+    everything = "\n".join(t for side in ("fluid", "dem") for t in texts(case.directory / side).values())
     for name in case.parameters:
         if name in reserved_names(case):
             raise InputError(case.file, f"parameters.{name}", case.parameters[name],
                              "slidewave gives this name itself; choose another")
-    _check_used(case, sides, by_geometry)
+    _check_used(case, everything, by_geometry)
     for side, files in sides.items():
         for path, text in files.items():
             _check_repeated(case, side, path, text)
@@ -68,8 +69,8 @@ def check_inputs(case: Case, by_geometry: set[str] = frozenset()) -> None:
     _check_end_time(case, sides.get("fluid", {}))
 
 
-def _check_used(case: Case, sides: dict[str, dict[Path, str]], by_geometry: set[str]) -> None:
-    everything = "\n".join(t for files in sides.values() for t in files.values())
+def _check_used(case: Case, everything: str, by_geometry: set[str]) -> None:
+    """`everything`: both sides' files, of a side too that this variant does not start."""
     for name, value in case.parameters.items():
         used = name in READ_BY_PROGRAMS | case.used | by_geometry
         if not used and not re.search(rf"\$\{{?{name}\b|\bv_{name}\b", everything):

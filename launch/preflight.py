@@ -16,7 +16,7 @@ from launch.prepare import Prepared
 
 @dataclass
 class Finding:
-    """One row: quantity, value, limit, verdict (ok, bad, note), source, key to change, value that works."""
+    """One row: quantity, value, limit, verdict (ok, warn, bad, note, "" for information), source, key to change, value that works."""
 
     quantity: str
     value: float | str | None
@@ -67,7 +67,7 @@ def lines(findings: list[Finding]) -> list[str]:
     for f in findings:
         limit = "" if f.limit is None else f"limit {_text(f.limit)}"
         rows.append(f"{f.verdict:<5} {f.quantity:<44} {_text(f.value):>12}  {limit:<20} {f.source}".rstrip())
-        if f.bad and f.key:
+        if f.verdict in ("bad", "warn") and f.key:
             works = "" if f.works is None else f" = {_text(f.works)}"
             rows.append(f"      change {f.key}{works}")
     return rows

@@ -84,15 +84,13 @@ def judge(target: dict, history: dict[str, np.ndarray]) -> dict:
 
 
 def quantities(history: dict[str, np.ndarray]) -> list[dict]:
-    """Largest and last value of every column that is not bookkeeping."""
+    """Last value of every column that is not bookkeeping, under its name, and largest, as max_NAME."""
     rows = []
-    for column in history:
-        if column in BOOKKEEPING:
-            continue
-        for how in ("max", "final"):
+    for column in (c for c in history if c not in BOOKKEEPING):
+        for name, how in ((column, "final"), (f"max_{column}", "max")):
             value = reduced(history, column, how)
-            if value is not None:
-                rows.append({"name": f"{how}_{column}", "value": value, "unit": unit_of(column)})
+            if value is not None and name.count("max_") < 2:
+                rows.append({"name": name, "value": value, "unit": unit_of(column) or "-"})
     return rows
 
 

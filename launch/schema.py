@@ -52,6 +52,8 @@ KEYS: dict[str, Key] = {
     "dem.engine": Key("text", "particle side; none: fluid alone, no particle program is started",
                       choices=("liggghts", "none")),
     "dem.script": Key("text", "LIGGGHTS script that sets the particles up"),
+    "check.speed": Key("number", "fastest particle or fluid expected, for the pre-flight check", "m/s",
+                       above=0),
     "output.interval": Key("number", "time between two pictures (fields, particles)", "s", above=0),
     "output.layers": Key("whole", "layers of initial height that particles are coloured by", least=0),
     "output.headline": Key("text", "column of history.csv shown while running"),

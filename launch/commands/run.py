@@ -58,7 +58,7 @@ def main(options: argparse.Namespace) -> int:
         place.withdraw()
         raise
     findings = preflight.examine(case, ready)
-    for line in preflight.lines([f for f in findings if f.bad]):
+    for line in preflight.lines([f for f in findings if f.verdict in ("bad", "warn")]):
         progress.say(line)
     if any(f.bad for f in findings) and not options.force:
         raise RunError("the pre-flight check refuses this scene (--force runs it all the same); "

@@ -73,7 +73,7 @@ class Report(unittest.TestCase):
         self.assertEqual((summary["status"], summary["variant"], summary["prepare_s"]),
                          ("completed", "quick", 1.5))
         names = {q["name"]: (q["value"], q["unit"]) for q in summary["quantities"]}
-        self.assertEqual(names["max_air_m"], (2.0, "m"))
+        self.assertEqual((names["max_air_m"], names["air_m"]), ((2.0, "m"), (1.0, "m")))
 
     def test_failure_takes_its_reason_from_the_programs(self) -> None:
         (self.run_dir / "failure.txt").write_text("dem rank 0 of 1: NaN\n")
