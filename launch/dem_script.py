@@ -100,13 +100,15 @@ def read(script: Path, parameters: Path | None = None) -> DemScene:
                 _read_data(script.parent / rest[0], scene)
             elif command == "create_atoms" and rest[1:2] == ["single"]:
                 singles.append([_number(w) for w in rest[2:5]])
+            elif command == "pair_style":
+                scene.stiffness_N_m = _after(rest, "kn", scene.stiffness_N_m)
             elif command == "set":
                 diameter = _after(rest, "diameter", diameter)
                 density = _after(rest, "density", density)
             elif command == "fix" and len(rest) >= 3:
                 scene.gravity |= rest[2] == "gravity"
                 if rest[2].startswith("property/global") and rest[3:4] == ["kn"]:
-                    scene.stiffness_N_m = max(filter(math.isfinite, map(_number, rest[5:])), default=None)
+                    scene.stiffness_N_m = max(filter(math.isfinite, map(_number, rest[6:])), default=None)
             scene.creates |= bool(set(words[:4]) & set(CREATORS))
     if singles and scene.positions is None:
         scene.positions = np.array(singles)

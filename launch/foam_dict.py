@@ -26,8 +26,12 @@ def expanded(path: Path, values: dict[str, object]) -> str:
 
 
 def entry(text: str, name: str) -> str | None:
-    """The value of the first `name value;`, with dimensions left out; None where there is none."""
-    found = re.search(rf"(?:^|[;{{}}])\s*{name}\s+(?:{name}\s+)?(?:\[[^\]]*\]\s*)?([^;{{}}]+);", text, flags=re.M)
+    """The value of the first `name value;` outside of blocks, dimensions left out; None without one."""
+    outside = text
+    while (less := re.sub(r"\w+\s*\{[^{}]*\}", "", outside)) != outside:
+        outside = less
+    dimensions = rf"(?:{name}\s+)?(?:\[[^\]]*\]\s*)?"
+    found = re.search(rf"(?:^|[;}}])\s*{name}\s+{dimensions}([^;{{}}]+);", outside, flags=re.M)
     return found.group(1).strip() if found else None
 
 

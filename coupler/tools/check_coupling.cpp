@@ -60,13 +60,13 @@ void check_stiffness(Facts const& facts, Sheet& sheet) {
     return;
   }
   double const slip = facts.has("slip_m_s") ? facts.number("slip_m_s") : facts.number("speed_m_s");
-  double const phi = solid_fraction(facts);
+  bool const two_way = facts.flag("two_way", true);
+  double const phi = two_way ? solid_fraction(facts) : 0;  // one-way, the law sees no void fraction
   double const mass =
       facts.number("particle_density_min_kg_m3") * sphere_volume(facts.number("diameter_min_m"));
   double const drag = std::max(drag_of(facts, slip, 1), packed_drag(facts, 1 - phi, slip));
   double const window = facts.number("window_s");
   double const x = limits::stiffness(drag, window, mass);
-  bool const two_way = facts.flag("two_way", true);
   double const loading = limits::loading(phi, facts.number("particle_density_min_kg_m3"),
                                          facts.number("fluid_density_kg_m3"));
   // A fluid that hardly feels the particles cannot answer them wrongly: only the mixture must be

@@ -73,6 +73,9 @@ class Script(unittest.TestCase):
     def test_stiffness(self) -> None:
         scene = self.read("fix k all property/global kn peratomtypepair 2 1e5 2e5 2e5 3e6\n")
         self.assertEqual(scene.stiffness_N_m, 3e6)
+        scene = self.read("fix k all property/global kn peratomtypepair 1 1e-3\n")
+        self.assertEqual(scene.stiffness_N_m, 1e-3)
+        self.assertEqual(self.read("pair_style gran model linear kn 3e9 ks 1e9\n").stiffness_N_m, 3e9)
 
 
 if __name__ == "__main__":
