@@ -1,15 +1,18 @@
 """Builds (the bootstrap did), checks the format of our own sources, runs the tests with ctest.
 
---full runs the slow verification too. ctest's own summary closes the output.
+--full runs the slow verification too and writes build/verification.json, a row a comparison.
+ctest's own summary closes the output.
 """
 
 from __future__ import annotations
 
 import argparse
+import os
+import shutil
 import subprocess
 import time
 
-from launch import places
+from launch import places, verification
 from launch.errors import RunError
 from launch.progress import say
 
@@ -53,9 +56,16 @@ def main(options: argparse.Namespace) -> int:
     say(f"stage format: {time.monotonic() - start:.1f} s")
     start = time.monotonic()
     words = ["ctest", "--test-dir", str(places.build_dir()), "-j2", "--output-on-failure"]
-    if not options.full:
+    environment = dict(os.environ)
+    rows = places.build_dir() / "verification"
+    if options.full:
+        shutil.rmtree(rows, ignore_errors=True)
+        environment[verification.VARIABLE] = str(rows)
+    else:
         words += ["-LE", "full"]
-    status = subprocess.run(words, check=False).returncode
+    status = subprocess.run(words, env=environment, check=False).returncode
+    if options.full:
+        verification.collect(rows, places.build_dir() / "verification.json")
     if status:
         raise RunError(f"tests failed after {time.monotonic() - start:.0f} s; see above")
     return 0

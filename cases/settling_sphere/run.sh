@@ -1,0 +1,9 @@
+#!/bin/sh
+# The plain mpirun line: run.sh DIR runs what `slidewave run cases/settling_sphere --dry-run --out DIR`
+# prepared. SLIDEWAVE_BUILD: build directory, default build/ of this source tree.
+set -eu
+dir=${1:?usage: run.sh DIR}
+bin=${SLIDEWAVE_BUILD:-$(dirname "$0")/../../build}/bin
+root=; [ "$(id -u)" = 0 ] && root=--allow-run-as-root
+exec mpirun --bind-to none --mca mpi_yield_when_idle 1 $root --oversubscribe \
+  -np 1 "$bin/slidewave_foam" "$dir" : -np 1 "$bin/slidewave_dem" "$dir"

@@ -1,0 +1,34 @@
+"""Rows of build/verification.json: what a verification test compared, and how long it took.
+
+A test calls record(); `slidewave test --full` names the directory in SLIDEWAVE_VERIFICATION and
+collects the rows afterwards. C++ tests may write such files themselves."""
+
+from __future__ import annotations
+
+import json
+import os
+from pathlib import Path
+
+VARIABLE = "SLIDEWAVE_VERIFICATION"
+
+
+def record(case: str, quantity: str, value: float, reference: float, tolerance: float, wall_s: float,
+           absolute: bool = False) -> None:
+    """Notes one comparison. The error is relative to the reference, or as it is where `absolute`."""
+    place = os.environ.get(VARIABLE)
+    if not place:
+        return
+    error = abs(value - reference) / (1.0 if absolute or reference == 0 else abs(reference))
+    row = {"case": case, "quantity": quantity, "value": value, "reference": reference, "error": error,
+           "tolerance": tolerance, "wall_s": wall_s, "pass": error <= tolerance}
+    name = "".join(c if c.isalnum() else "_" for c in f"{case}-{quantity}")
+    Path(place).mkdir(parents=True, exist_ok=True)
+    (Path(place) / f"{name}.json").write_text(json.dumps(row))
+
+
+def collect(place: Path, file: Path) -> list[dict]:
+    """Joins the rows below `place` into `file`, sorted by case and quantity."""
+    rows = [json.loads(path.read_text()) for path in sorted(place.glob("*.json"))]
+    rows.sort(key=lambda r: (r["case"], r["quantity"]))
+    file.write_text(json.dumps(rows, indent=1) + "\n")
+    return rows
