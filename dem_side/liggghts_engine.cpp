@@ -101,19 +101,22 @@ void LiggghtsEngine::set_up_scene() {
   char* arguments[] = {words[0], words[1], words[2]};
   lmp_ = std::make_unique<LAMMPS>(3, arguments, session_.comm());
   quote_script_of(lmp_.get());
-  register_fixes(*lmp_);
+  register_styles(*lmp_);
   guard_run_commands(*lmp_, refuse_in_script);
   if (fs::is_regular_file(folder_ / "parameters")) {
     lmp_->input->file("parameters");
   }
   lmp_->input->file(script.c_str());
-  if (!fixes_registered(*lmp_)) {
+  if (!styles_registered(*lmp_)) {
     session_.fail("the LIGGGHTS script says 'clear', which drops what slidewave added", 2);
   }
   if (!lmp_->domain->box_exist) {
     throw InputError(script.string(), "create_box or read_data", "missing", "give the scene a box");
   }
   quote_script_of(nullptr);
+  // LIGGGHTS by default lets particles go in silence.
+  std::string const lost = "thermo_modify lost " + scene.text("coupling.outside", "error");
+  lmp_->input->one(lost.c_str());
   wanted_dt_s_ = scene.number("parameters.dem_dt", lmp_->update->dt);
   loop_ = std::make_unique<StepLoop>(*lmp_);
   observers_ = std::make_unique<Observers>(*lmp_, scene);
@@ -140,7 +143,8 @@ Box LiggghtsEngine::bounds() const {
 }
 
 std::vector<Feature> LiggghtsEngine::features() const {
-  return {{"fluid_kick", kick_ != nullptr, kick_ ? "exponential half kicks" : "no fluid forces"},
+  return {{"fluid_kick", session_.has_partner(),
+           session_.has_partner() ? "exponential half kicks" : "dry scene"},
           {"particle_layers", session_.scene().number("output.layers", 0.0) > 0, "output.layers"}};
 }
 

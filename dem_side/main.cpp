@@ -2,6 +2,7 @@
 // slidewave_dem --script FILE [-var NAME VALUE ...]: a plain LIGGGHTS run.
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 
 #include "liggghts_engine.h"
 #include "script_run.h"
@@ -26,6 +27,7 @@ int main(int argument_count, char** arguments) {
                  "usage: slidewave_dem DIR | slidewave_dem --script FILE [-var NAME VALUE ...]\n");
     return 2;
   }
-  slidewave::Session session(slidewave::Role::dem, arguments[1]);
+  // Absolute: the engine changes the working directory.
+  slidewave::Session session(slidewave::Role::dem, std::filesystem::absolute(arguments[1]));
   return slidewave::guarded(session, couple);
 }

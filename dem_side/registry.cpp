@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 
+#include "contact_styles.h"
 #include "expose.h"
 #include "fix_slidewave.h"
 #include "input.h"
@@ -69,11 +70,12 @@ void refused_rerun(LAMMPS*, int, char**) {
 
 }  // namespace
 
-void register_fixes(LAMMPS& lmp) {
+void register_styles(LAMMPS& lmp) {
+  register_contact_styles();
   fix_map(lmp)["slidewave"] = &create<LAMMPS_NS::FixSlidewave>;
 }
 
-bool fixes_registered(LAMMPS& lmp) {
+bool styles_registered(LAMMPS& lmp) {
   return fix_map(lmp).count("slidewave") > 0;
 }
 

@@ -1,4 +1,5 @@
-// What slidewave adds to LIGGGHTS from outside: fix styles and a guard on the run command.
+// What slidewave adds to LIGGGHTS from outside: fix styles, contact laws and a guard on
+// the run command.
 #pragma once
 
 namespace LAMMPS_NS {
@@ -7,11 +8,12 @@ class LAMMPS;
 
 namespace slidewave::dem {
 
-/// Makes our fix styles known. Call right after the LAMMPS constructor; `clear` forgets them.
-void register_fixes(LAMMPS_NS::LAMMPS& lmp);
+/// Makes our fix styles and contact laws known. Call right after the LAMMPS constructor; `clear`
+/// forgets the fixes.
+void register_styles(LAMMPS_NS::LAMMPS& lmp);
 
 /// False once a script said `clear`.
-bool fixes_registered(LAMMPS_NS::LAMMPS& lmp);
+bool styles_registered(LAMMPS_NS::LAMMPS& lmp);
 
 /// From now on `run N` with N > 0, `minimize` and `rerun` in a script call `refuse`, which must not
 /// return. A set-up script must not advance time: the windows are run by the engine.

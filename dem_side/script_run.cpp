@@ -26,7 +26,7 @@ int run_script(int argument_count, char** arguments) {
   {
     auto const lmp = std::make_unique<LAMMPS_NS::LAMMPS>(static_cast<int>(words.size()),
                                                          words.data(), MPI_COMM_WORLD);
-    register_fixes(*lmp);
+    register_styles(*lmp);
     lmp->input->file();
   }
   MPI_Finalize();

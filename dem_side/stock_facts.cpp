@@ -40,7 +40,6 @@ std::optional<Vec3> gravity(LAMMPS& lmp) {
 std::string boundaries(LAMMPS& lmp) {
   std::string text;
   for (int const periodic : lmp.domain->periodicity) {
-    text += text.empty() ? "" : " ";
     text += periodic ? "p" : "b";
   }
   return text;

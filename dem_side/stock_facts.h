@@ -14,7 +14,7 @@ namespace slidewave::dem {
 
 /// Sum of all fix gravity [m/s2], zero without one; nothing where it varies in time.
 std::optional<Vec3> gravity(LAMMPS_NS::LAMMPS& lmp);
-/// "p" (periodic) or "b" (bounded) for x, y, z, e.g. "b p b".
+/// "p" (periodic) or "b" (bounded) for x, y, z, e.g. "bpb".
 std::string boundaries(LAMMPS_NS::LAMMPS& lmp);
 /// This rank's part of the box [m].
 Box sub_domain(LAMMPS_NS::LAMMPS& lmp);

@@ -24,7 +24,7 @@ class SmallScene {
       instance()->input->one("clear");
     }
     lmp_ = instance();
-    slidewave::dem::register_fixes(*lmp_);
+    slidewave::dem::register_styles(*lmp_);
   }
 
   void lines(std::vector<std::string> const& commands) {

@@ -65,7 +65,7 @@ TEST(Observers, LargestOverlapIsOverTheSmallerDiameter) {
 TEST(Facts, AreThoseOfTheScript) {
   SmallScene scene;
   scene.box("f p f");
-  EXPECT_EQ(slidewave::dem::boundaries(scene.lmp()), "b p b");
+  EXPECT_EQ(slidewave::dem::boundaries(scene.lmp()), "bpb");
   EXPECT_EQ(slidewave::dem::gravity(scene.lmp())->norm(), 0);
   scene.lines({"variable up equal step", "fix weight all gravity 5 vector 3 0 -4"});
   EXPECT_EQ(slidewave::dem::as_text(*slidewave::dem::gravity(scene.lmp())), "3 0 -4");

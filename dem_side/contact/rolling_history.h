@@ -1,0 +1,63 @@
+// What both rolling models share: history, signs, where the moment goes.
+#pragma once
+
+#include "contact_models.h"
+#include "rolling_laws.h"
+#include "update.h"
+
+namespace slidewave::dem {
+
+class RollingHistory {
+ public:
+  void keep(LIGGGHTS::IContactHistorySetup& setup, bool twist) {
+    rolling_ = setup.add_history_value("roll_x", "1");
+    setup.add_history_value("roll_y", "1");
+    setup.add_history_value("roll_z", "1");
+    // The angle of twist and the normal both change sign with the order of the bodies.
+    twist_ = twist ? setup.add_history_value("twist", "0") : -1;
+  }
+  bool kept() const { return rolling_ >= 0; }
+
+  void forget(LIGGGHTS::ContactModels::SurfacesCloseData& contact) const {
+    for (int k = 0; k < 3 && kept(); ++k) {
+      contact.contact_history[rolling_ + k] = 0;
+    }
+    if (twist_ >= 0) {
+      contact.contact_history[twist_] = 0;
+    }
+  }
+
+  /// Adds the moments; `twisting` is used only if twist is kept.
+  void act(LIGGGHTS::ContactModels::SurfacesIntersectData const& contact, double dt_s,
+           RotationSpring const& rolling, RotationSpring const& twisting,
+           LIGGGHTS::ContactModels::ForceData& on_i,
+           LIGGGHTS::ContactModels::ForceData& on_j) const {
+    bool const advance = contact.computeflag && contact.shearupdate;
+    double omega[3];
+    for (int k = 0; k < 3; ++k) {
+      omega[k] = contact.omega_i[k] - (contact.is_wall ? 0.0 : contact.omega_j[k]);
+    }
+    double moment[3];
+    rolling_moment(rolling, contact.contact_history + rolling_, contact.en, omega, dt_s, advance,
+                   moment);
+    if (twist_ >= 0) {
+      double const* const n = contact.en;
+      double const omega_n = omega[0] * n[0] + omega[1] * n[1] + omega[2] * n[2];
+      double const along =
+          twisting_moment(twisting, contact.contact_history + twist_, omega_n, dt_s, advance);
+      for (int k = 0; k < 3; ++k) {
+        moment[k] += along * n[k];
+      }
+    }
+    for (int k = 0; k < 3; ++k) {
+      on_i.delta_torque[k] += moment[k];
+      on_j.delta_torque[k] -= moment[k];
+    }
+  }
+
+ private:
+  int rolling_ = -1;
+  int twist_ = -1;
+};
+
+}  // namespace slidewave::dem

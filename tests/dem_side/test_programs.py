@@ -1,0 +1,242 @@
+"""slidewave_dem as a user starts it: dry runs against stock liggghts, and every way to go wrong."""
+
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+PROGRAM = os.environ["SLIDEWAVE_DEM"]
+MPIRUN = os.environ["SLIDEWAVE_MPIRUN"].split(";")
+
+CASE = """
+[case]
+name = "pile"
+end_time = 0.3
+[coupling]
+window = 0.02
+[physics]
+gravity = [0, 0, -9.81]
+[fluid]
+engine = "none"
+[dem]
+engine = "liggghts"
+script = "dem/in.setup"
+[parameters]
+dem_dt = 5e-4
+[output]
+interval = 0.1
+layers = 4
+[observe.slide]
+type = "slide"
+[observe.first]
+type = "particle"
+id = 1
+"""
+
+# dem_dt 5e-4 fills the window of 0.02 s exactly: the stock run takes the same steps.
+SETUP = """
+variable friction index 0.5
+units si
+atom_style granular
+atom_modify map array
+boundary f p f
+newton off
+communicate single vel yes
+region box block 0 10 0 3.8 0 10 units box
+create_box 1 box
+neighbor 0.1 bin
+neigh_modify delay 0
+fix kn all property/global kn peratomtypepair 1 1e7
+fix kt all property/global kt peratomtypepair 1 8e6
+fix gn all property/global gamman peratomtypepair 1 0
+fix gt all property/global gammat peratomtypepair 1 0
+fix mu all property/global coefficientFriction peratomtypepair 1 ${friction}
+pair_style gran model hooke/stiffness tangential history
+pair_coeff * *
+lattice sc 0.95
+region fill block 0.6 9.4 0 3.7 0.6 5 units box
+create_atoms 1 region fill
+set group all diameter 0.9 density 2650
+velocity all ramp vx -1 2 z 0 5 units box
+velocity all ramp vz -1 1 x 0 10 units box
+fix integrate all nve/sphere
+fix weight all gravity 9.81 vector 0 0 -1
+fix floor all wall/gran model hooke/stiffness tangential history primitive type 1 zplane 0
+fix left all wall/gran model hooke/stiffness tangential history primitive type 1 xplane 0
+fix right all wall/gran model hooke/stiffness tangential history primitive type 1 xplane 10
+thermo 100
+dump states all custom 150 states.txt id x y z vx vy vz omegax omegay omegaz
+dump_modify states sort id format "%d %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g"
+"""
+
+
+def mpirun(ranks, *command):
+    line = [*MPIRUN, "-np", str(ranks), *map(str, command)]
+    return subprocess.run(line, capture_output=True, text=True, timeout=60)
+
+
+class Folder(unittest.TestCase):
+    """A fresh run directory in self.dir."""
+
+    def setUp(self):
+        self.dir = Path(tempfile.mkdtemp(prefix="slidewave_dem_"))
+        self.addCleanup(shutil.rmtree, self.dir)
+        (self.dir / "dem").mkdir()
+        self.write(CASE, SETUP)
+
+    def write(self, case, setup):
+        (self.dir / "case.toml").write_text(case)
+        (self.dir / "dem" / "in.setup").write_text(setup)
+        (self.dir / "dem" / "parameters").write_text("variable friction index 0.3\n")
+
+
+class DryRun(Folder):
+    def stock_states(self, ranks):
+        folder = self.dir / "stock"
+        folder.mkdir()
+        script = "variable friction index 0.3\n" + SETUP + "timestep 5e-4\nrun 600\n"
+        (folder / "in.stock").write_text(script)
+        line = [*MPIRUN, "-np", str(ranks), "-wdir", str(folder), "liggghts", "-in", "in.stock"]
+        done = subprocess.run(line, capture_output=True, text=True, timeout=60)
+        self.assertEqual(done.returncode, 0, done.stdout[-2000:])
+        return (folder / "states.txt").read_text()
+
+    def test_trajectories_are_those_of_stock_liggghts(self):
+        for ranks in (1, 2):
+            with self.subTest(ranks=ranks):
+                shutil.rmtree(self.dir / "stock", ignore_errors=True)
+                done = mpirun(ranks, PROGRAM, self.dir)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                ours = (self.dir / "dem" / "states.txt").read_text()
+                stock = self.stock_states(ranks)
+                self.assertGreater(stock.count("TIMESTEP"), 4)
+                self.assertEqual(ours, stock)
+
+    def test_outputs(self):
+        done = mpirun(1, PROGRAM, os.path.relpath(self.dir))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        rows = (self.dir / "history.csv").read_text().splitlines()
+        header = rows[0].split(",")
+        for name in ("slide_speed_m_s", "slide_front_x_m", "kinetic_energy_J", "max_overlap",
+                     "particles", "first_x_m", "first_vz_m_s"):
+            self.assertIn(name, header)
+        self.assertEqual(len(rows), 1 + 1 + 15)
+        last = dict(zip(header, rows[-1].split(",")))
+        self.assertGreater(float(last["slide_speed_m_s"]), 0.1)
+        self.assertGreater(float(last["max_overlap"]), 0)
+        written = sorted(p.name for p in (self.dir / "dem").glob("particles*"))
+        self.assertEqual(written, ["particles.vtk.series", "particles_0.vtk", "particles_10.vtk",
+                                   "particles_15.vtk", "particles_5.vtk"])
+        self.assertIn("Loop time", (self.dir / "log.dem").read_text())
+        self.assertTrue((self.dir / "summary.json").exists())
+
+
+class PlainScript(Folder):
+    def run_script(self, script, *extra):
+        file = self.dir / "plain"
+        file.write_text(script)
+        return subprocess.run([PROGRAM, "--script", "plain", *extra], cwd=self.dir,
+                              capture_output=True, text=True, timeout=60)
+
+    def test_runs_with_variables_and_own_styles(self):
+        script = SETUP + "fix fluid all slidewave drag 5 fluid_velocity 0 0 0\nprint 'mu ${friction}'\ntimestep 5e-4\nrun 10\n"
+        done = self.run_script(script, "-var", "friction", "0.7")
+        self.assertEqual(done.returncode, 0, done.stdout[-2000:])
+        self.assertIn("mu 0.7", done.stdout)
+
+    def test_error_gives_a_status(self):
+        done = self.run_script("units si\nnonsense here\n")
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("Unknown command", done.stdout)
+
+    def test_missing_script_and_usage(self):
+        self.assertEqual(subprocess.run([PROGRAM, "--script", "none"], cwd=self.dir,
+                                        capture_output=True, check=False).returncode, 2)
+        self.assertEqual(subprocess.run([PROGRAM], capture_output=True, check=False).returncode, 2)
+
+
+class Failures(Folder):
+    """Each ends within seconds, with a status and the reason on the terminal."""
+
+    def fails(self, *words, ranks=1, status=None):
+        begin = time.time()
+        done = mpirun(ranks, PROGRAM, self.dir)
+        self.assertLess(time.time() - begin, 10)
+        if status is None:
+            self.assertNotEqual(done.returncode, 0)
+        else:
+            self.assertEqual(done.returncode, status, done.stderr)
+        for word in words:
+            self.assertIn(word, done.stderr)
+        self.assertTrue((self.dir / "failure.txt").exists())
+
+    def test_unknown_command(self):
+        self.write(CASE, SETUP + "nonsense here\n")
+        for ranks in (1, 2):
+            self.fails("ERROR: Unknown command: nonsense", "nonsense here", ranks=ranks)
+
+    def test_error_on_one_rank(self):
+        self.write(CASE, SETUP + "fix more all gravity 9.81 vector 0 0 0\nrun 0\n")
+        self.fails("Gravity direction vector = 0", ranks=2)
+
+    def test_run_in_script(self):
+        self.write(CASE, SETUP + "run 10\n")
+        self.fails("says 'run'", "set the scene up", status=2)
+
+    def test_run_0_is_fine(self):
+        self.write(CASE, SETUP + "run 0\n")
+        self.assertEqual(mpirun(1, PROGRAM, self.dir).returncode, 0)
+
+    def test_clear(self):
+        self.write(CASE, "clear\n" + SETUP)
+        self.fails("clear", "in.setup", status=2)
+        self.write(CASE, "variable c string clear\n${c}\n" + SETUP)
+        self.fails("clear", status=2)
+
+    def test_vtk_dump(self):
+        dump = "dump vtk all custom/vtk 100 x*.vtk id x y z\n"
+        self.write(CASE, SETUP + dump)
+        self.fails("custom/vtk", "in.setup", status=2)
+        self.write(CASE, SETUP + "variable style string custom/vtk\n" + dump.replace("custom/vtk", "${style}"))
+        self.fails("VTK dump", status=2)
+
+    def test_quit(self):
+        self.write(CASE, SETUP + "quit\n")
+        self.fails("ended itself")
+
+    def test_missing_script_and_box(self):
+        (self.dir / "dem" / "in.setup").unlink()
+        self.fails("dem.script", status=2)
+        self.write(CASE, "units si\n")
+        self.fails("box", status=2)
+
+    def test_lost_particles(self):
+        self.write(CASE, SETUP.replace("fix left", "#") + "velocity all set -30 0 0 units box\n")
+        self.fails("Lost atoms")
+
+    def test_lost_particles_are_let_go_on_request(self):
+        outside = CASE.replace("window = 0.02", 'window = 0.02\noutside = "ignore"')
+        self.write(outside, SETUP.replace("fix left", "#") + "velocity all set -30 0 0 units box\n")
+        self.assertEqual(mpirun(1, PROGRAM, self.dir).returncode, 0)
+
+    def test_blow_up(self):
+        self.write(CASE, SETUP + "velocity all set 1e200 0 0 units box\n")
+        self.fails()
+
+    def test_unknown_particle(self):
+        self.write(CASE.replace("id = 1", "id = 100000"), SETUP)
+        self.fails("observe.first.id", "100000", status=2)
+
+    def test_bad_contact_constant(self):
+        own = SETUP.replace("model hooke/stiffness tangential history\npair_coeff",
+                            "model linear kn -5\npair_coeff")
+        self.write(CASE, own)
+        self.fails("contact model linear: kn is -5")
+
+
+if __name__ == "__main__":
+    sys.exit(unittest.main())
