@@ -7,8 +7,7 @@
 namespace slidewave {
 
 /// drag [kg/s] from velocity, fluid_velocity, density, viscosity, radius and (with porosity)
-/// void_fraction. Closures see no void fraction below 0.25: packings denser than that are an
-/// artefact of deposit.
+/// void_fraction.
 void evaluate_drag(Models const& models, Table& particles);
 
 /// force [N] = -V grad p from pressure_gradient and radius.

@@ -107,7 +107,8 @@ class DemLoop {
     sums.outside = static_cast<double>(census.outside);
     if (agreed_.models.ledger()) {
       auto const impulse = particles_["impulse"];
-      Eigen::Map<Vec3>(sums.received) = impulse.rowwise().sum();
+      auto const received = engine_.received_impulse();
+      Eigen::Map<Vec3>(sums.received) = received ? *received : Vec3(impulse.rowwise().sum());
       Eigen::Map<Vec3>(sums.ledger) = outbox_.ledger().rowwise().sum();
       sums.received_abs = (agreed_.in_plane.asDiagonal() * impulse).colwise().norm().sum();
     }

@@ -32,11 +32,16 @@ double positive(Scene const& scene, std::string const& key, double value) {
 Models Models::from(Scene const& scene) {
   Models models;
   choice(scene, "coupling.scheme", "serial", {"serial"});
-  models.drag = choice(scene, "models.drag", "di_felice", {"di_felice", "none"}) != "none";
-  models.drag_coefficient =
-      choice(scene, "models.drag_coefficient", "brown_lawler", {"brown_lawler"});
-  models.formulation =
-      choice(scene, "models.formulation", "A", {"A"}) == "A" ? Formulation::A : Formulation::B;
+  choice(scene, "models.formulation", "A", {"A"});
+  std::vector<std::string> laws = drag_law_names();
+  laws.emplace_back("none");
+  std::string const law = choice(scene, "models.drag", "di_felice", laws);
+  std::string const coefficient =
+      choice(scene, "models.drag_coefficient", "brown_lawler", drag_coefficient_names());
+  models.drag = law != "none";
+  if (models.drag) {
+    models.drag_model = slidewave::drag_model(law, coefficient, "A");
+  }
   models.pressure_gradient = scene.flag("models.pressure_gradient", true);
   models.two_way =
       choice(scene, "coupling.reaction", "two_way", {"two_way", "one_way"}) == "two_way";
@@ -82,7 +87,8 @@ std::vector<Need> Models::needs() const {
 std::vector<Feature> Models::features() const {
   return {
       {"drag", drag,
-       drag ? "Di Felice with Brown-Lawler, formulation A" : "models.drag = \"none\""},
+       drag ? drag_model.law + " " + drag_model.coefficient + ", formulation A"
+            : "models.drag = \"none\""},
       {"pressure-gradient force", pressure_gradient,
        pressure_gradient ? "buoyancy included" : "models.pressure_gradient = false"},
       {"porosity", porosity(),

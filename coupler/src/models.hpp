@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "slidewave/engine.hpp"
-#include "slidewave/physics/grain.hpp"
+#include "slidewave/physics/drag_models.hpp"
 #include "slidewave/scene.hpp"
 
 namespace slidewave {
@@ -20,8 +20,7 @@ struct Need {
 
 struct Models {
   bool drag = true;
-  std::string drag_coefficient = "brown_lawler";
-  Formulation formulation = Formulation::A;
+  DragModel drag_model;
   bool pressure_gradient = true;
   bool two_way = true;
   double coarse_grain = 1;        ///< alpha: particle diameter over grain diameter

@@ -102,6 +102,10 @@ class ParticleEngine : public Engine {
   /// coming advance through the exponential kick (physics/exponential_kick.hpp), and memory.
   virtual void apply(Table const& answers) = 0;
   virtual void advance(Window const& window) = 0;
+  /// Drag impulse [kg m/s] that this rank's particles received since the last apply, summed over
+  /// sub-steps as they went, independently of the impulse column: lets the momentum budget see an
+  /// impulse that was lost with a sub-step or a migrating particle. Without it, the column is used.
+  virtual std::optional<Vec3> received_impulse() const { return std::nullopt; }
 };
 
 }  // namespace slidewave
