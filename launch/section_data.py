@@ -61,13 +61,32 @@ def slice_mesh(mesh: foam_mesh.Mesh, plane: Plane, at_m: float) -> Slice:
     return Slice(cells, points[..., [plane.along, plane.up]])
 
 
+def wall_lines(mesh: foam_mesh.Mesh, plane: Plane, cells: np.ndarray) -> np.ndarray:
+    """Where walls cut the picture's plane, (lines, 2 ends, 2) [m]: wall faces of `cells`, seen edge on."""
+    within = np.zeros(mesh.cells, bool)
+    within[cells] = True
+    walls = [np.arange(p.start, p.start + p.faces) for p in mesh.patches if p.type == "wall"]
+    faces = np.concatenate(walls) if walls else np.empty(0, int)
+    faces = faces[within[mesh.owner[faces]]] if faces.size else faces
+    if not faces.size:
+        return np.empty((0, 2, 2))
+    corners = mesh.labels[np.minimum(mesh.offsets[faces][:, None] + np.arange(4),
+                                     mesh.offsets[faces + 1][:, None] - 1)]
+    points = mesh.points[corners][..., [plane.along, plane.up]]
+    place = points @ np.array([1.0, 0.618])  # orders the corners along any edge-on face
+    rows = np.arange(faces.size)
+    return np.stack([points[rows, place.argmin(axis=1)], points[rows, place.argmax(axis=1)]], axis=1)
+
+
 @dataclass
 class Frame:
-    """One picture: time [s]; water fraction of the cell or speed [m/s] on the polygons; particles."""
+    """One picture: time [s]; water fraction of the cell or speed [m/s] on the polygons; walls as
+    lines; particles."""
 
     time_s: float
     polygons: list[np.ndarray] = field(default_factory=list)
     values: list[np.ndarray] = field(default_factory=list)
+    walls: list[np.ndarray] = field(default_factory=list)
     particles: vtk_file.Points | None = None
 
 
@@ -113,9 +132,10 @@ def frames(directory: Path, plane: Plane, meshes: list[foam_mesh.Mesh], at_m: fl
     shown = spread(both or [t for t, _ in named or series], count)
     kind = field_kind(fluid, named[-1][1]) if named else None
     slices = [slice_mesh(mesh, plane, at_m) for mesh in meshes]
+    walls = [wall_lines(mesh, plane, cut.cells) for mesh, cut in zip(meshes, slices)]
     result = []
     for time in shown:
-        frame = Frame(time)
+        frame = Frame(time, walls=walls)
         if kind:
             name = named[nearest([t for t, _ in named], time)][1]
             for part, mesh, cut in zip(foam_mesh.parts(fluid), meshes, slices):

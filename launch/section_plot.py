@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.collections import EllipseCollection, PolyCollection
+from matplotlib.collections import EllipseCollection, LineCollection, PolyCollection
 from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.figure import Figure
 
@@ -93,6 +93,8 @@ def _draw(axes: Axes, frame: section_data.Frame, box: np.ndarray, plane: section
                                edgecolors="face")
         shade.set_clim(0, limit)
         axes.add_collection(shade)
+    for lines in frame.walls:
+        axes.add_collection(LineCollection(lines, colors="#5b4a3a", linewidths=1.2))
     if frame.particles is not None and len(frame.particles.positions):
         _draw_particles(axes, frame.particles, plane, layers)
     axes.set_xlim(*box[:, plane.along])

@@ -108,6 +108,8 @@ class Report(unittest.TestCase):
         corners = {tuple(c) for c in frames[0].polygons[1][1]}
         self.assertEqual(corners, {(3.0, 0.0), (4.0, 0.0), (4.0, 1.0), (3.0, 1.0)})
         self.assertEqual(len(frames[0].particles.positions), 2)
+        ends = {tuple(map(tuple, line)) for part in frames[0].walls for line in part}
+        self.assertEqual(ends, {((0, 0), (0, 1)), ((2, 0), (2, 1)), ((4, 0), (4, 1))})
 
     def test_one_fluid_shows_speed(self) -> None:
         self.write_fluid(two=False)
