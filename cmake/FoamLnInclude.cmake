@@ -1,0 +1,18 @@
+# foam_lninclude(SOURCE DESTINATION part...): what OpenFOAM's wmakeLnInclude does, outside its source
+# tree: one folder of links per part, DESTINATION/<part>, to every header and template body below it.
+function(foam_lninclude source destination)
+  foreach(part ${ARGN})
+    set(links ${destination}/${part})
+    if(EXISTS ${links}/.done)
+      continue()
+    endif()
+    file(GLOB_RECURSE headers ${source}/${part}/*.[CHch])
+    list(FILTER headers EXCLUDE REGEX "/(lnInclude|Make|config|noLink)/")
+    file(MAKE_DIRECTORY ${links})
+    foreach(header ${headers})
+      get_filename_component(name ${header} NAME)
+      file(CREATE_LINK ${header} ${links}/${name} SYMBOLIC)
+    endforeach()
+    file(TOUCH ${links}/.done)
+  endforeach()
+endfunction()

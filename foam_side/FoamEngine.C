@@ -1,0 +1,266 @@
+#include "FoamEngine.H"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+#include "FoamCase.H"
+#include "Locator.H"
+#include "Observer.H"
+#include "ParticleKernel.H"
+#include "PorousFlow.H"
+#include "SolidFraction.H"
+#include "World.H"
+#include "cyclicPolyPatch.H"
+#include "graphOfMesh.H"
+
+namespace slidewave::foam {
+namespace {
+
+using namespace Foam;
+using Eigen::MatrixXd;
+
+Eigen::Map<MatrixXd const> matrix(scalarField const& field) {
+  return {field.cdata(), 1, field.size()};
+}
+
+Eigen::Map<MatrixXd const> matrix(vectorField const& field) {
+  return {reinterpret_cast<double const*>(field.cdata()), 3, field.size()};
+}
+
+Vec3 vec3(vector const& v) { return {v.x(), v.y(), v.z()}; }
+
+// One letter an axis: e empty (not solved), p periodic, b bounded.
+std::string boundaryLetters(fvMesh const& mesh) {
+  std::string letters = "bbb";
+  for (direction d = 0; d < vector::nComponents; ++d) {
+    if (mesh.geometricD()[d] < 0) letters[d] = 'e';
+  }
+  for (polyPatch const& patch : mesh.boundaryMesh()) {
+    if (!isA<cyclicPolyPatch>(patch)) continue;
+    vector const separation = cmptMag(sum(patch.faceAreas()));
+    for (direction d = 0; d < vector::nComponents; ++d) {
+      if (separation[d] > 0.9 * mag(separation)) letters[d] = 'p';
+    }
+  }
+  return letters;
+}
+
+}  // namespace
+
+struct FoamEngine::Impl {
+  Scene const& scene;
+  FoamCase foam;
+  std::unique_ptr<PorousFlow> flow;
+  Locator locator;
+  ParticleKernel kernel;
+  SolidFraction solid;
+  std::vector<std::unique_ptr<Observer>> observers;
+  std::vector<Quantity> quantities;
+  long particles = 0;  // of all ranks
+  MPI_Comm comm;
+  double output_interval_s, end_s;
+  long outputs = -1;
+
+  // rho eps at window start, and what the kernel makes of it at the particles.
+  MatrixXd weight, weight_at_particles;
+  bool weighed = false;
+
+  Impl(Scene const& the_scene, MPI_Comm the_comm, bool parallel)
+      : scene(the_scene),
+        foam(scene.directory() / "fluid", parallel, scene.number("case.end_time")),
+        flow((refuseUnsupported(foam.mesh()), PorousFlow::New(foam.mesh(), foam.time()))),
+        locator(foam.mesh()),
+        kernel(Smoother(graphOfMesh(foam.mesh(), the_comm),
+                        scene.number("coupling.smoothing_length", 0))),
+        comm(the_comm),
+        output_interval_s(scene.number("output.interval", 0)),
+        end_s(scene.number("case.end_time")) {}
+
+  void weigh() {
+    if (weighed) return;
+    weight = matrix(flow->density()().primitiveField())
+                 .cwiseProduct(matrix(flow->eps().primitiveField()));
+    weight_at_particles = kernel.gather(weight);
+    weighed = true;
+  }
+
+  MatrixXd weighted(vectorField const& velocity) {
+    weigh();
+    MatrixXd const momentum = matrix(velocity).array().rowwise() * weight.row(0).array();
+    return kernel.gather(momentum).array().rowwise() / weight_at_particles.row(0).array();
+  }
+
+  void write(double now_s) {
+    long const due = output_interval_s > 0 ? std::lround(std::floor(now_s / output_interval_s + 1e-6)) : 0;
+    if (due == outputs && now_s < end_s * (1 - 1e-9)) return;
+    outputs = due;
+    foam.time().writeNow();
+  }
+
+  void observe();
+};
+
+FoamEngine::FoamEngine(Scene const& scene, MPI_Comm comm) {
+  int size = 0, rank = 0;
+  MPI_Comm_size(comm, &size);
+  MPI_Comm_rank(comm, &rank);
+  impl_ = std::make_unique<Impl>(scene, comm, size > 1);
+  Impl& self = *impl_;
+  bool const coupled = scene.text("dem.engine", "none") != "none";
+  bool const two_way = coupled && scene.text("coupling.reaction", "two_way") == "two_way";
+  self.flow->keepMeans(two_way, coupled && scene.flag("models.pressure_gradient", true));
+  self.observers = makeObservers(scene, self.foam.mesh());
+  if (rank == 0) std::ofstream(scene.directory() / "fluid" / "case.foam");  // what ParaView opens
+}
+
+FoamEngine::~FoamEngine() = default;
+
+std::vector<std::pair<std::string, std::string>> FoamEngine::facts() const {
+  std::vector<std::pair<std::string, std::string>> facts;
+  auto const text = [](double value) {
+    char buffer[32];
+    std::snprintf(buffer, sizeof(buffer), "%.17g", value);
+    return std::string(buffer);
+  };
+  vector const g = readGravity(impl_->foam.mesh()).value();
+  if (mag(g) > 0) facts.push_back({"gravity", text(g.x()) + ' ' + text(g.y()) + ' ' + text(g.z())});
+  facts.push_back({"boundary", boundaryLetters(impl_->foam.mesh())});
+  facts.push_back({"end_time", text(impl_->end_s)});
+  return facts;
+}
+
+Box FoamEngine::bounds() const { return impl_->locator.bounds(); }
+
+std::vector<Quantity> FoamEngine::quantities() const { return impl_->quantities; }
+
+std::vector<Feature> FoamEngine::features() const {
+  bool const two_fluids = impl_->flow->budgets().size() == 2;
+  int const steps = impl_->kernel.smoother().steps();
+  return {{"phase_equation", two_fluids, two_fluids ? "water and air (VOF)" : "one fluid"},
+          {"kernel_smoothing", steps > 0, std::to_string(steps) + " face-flux steps"},
+          {"turbulence", false, "laminar: no model has a form for flow in pores"}};
+}
+
+std::vector<Field> FoamEngine::samples() const {
+  return {{"velocity", "m/s", 3},      {"mean_velocity", "m/s", 3}, {"density", "kg/m3", 1},
+          {"viscosity", "Pa s", 1},    {"void_fraction", "-", 1},   {"saturation", "-", 1},
+          {"pressure_gradient", "Pa/m", 3}};
+}
+
+Home FoamEngine::locate(Vec3 const& position_m, int hint_cell) {
+  return impl_->locator.locate(position_m, hint_cell);
+}
+
+void FoamEngine::place(Table::ConstColumn, std::vector<int> const& cell) {
+  impl_->kernel.place(cell);
+  impl_->particles = static_cast<long>(cell.size());
+  MPI_Allreduce(MPI_IN_PLACE, &impl_->particles, 1, MPI_LONG, MPI_SUM, impl_->comm);
+  impl_->weighed = false;
+  impl_->flow->setDrag(nullptr);
+}
+
+void FoamEngine::deposit(Table::ConstColumn volume_m3) {
+  Impl& self = *impl_;
+  self.solid.deposit(self.kernel, volume_m3);
+  scalarField eps(self.foam.mesh().nCells());
+  Eigen::Map<MatrixXd>(eps.data(), 1, eps.size()) = self.solid.voidFraction();
+  self.flow->setTarget(eps);
+}
+
+void FoamEngine::exchange(Table::ConstColumn drag_kg_s, Table::ConstColumn velocity_m_s,
+                          Table::ConstColumn force_N) {
+  Impl& self = *impl_;
+  if (self.particles == 0) return;
+  self.weigh();
+  // Shares of a particle's drag: q = K / T(rho eps), so that the cells' total is K (u_f - v).
+  MatrixXd amounts(7, self.kernel.particles());
+  amounts.row(0) = drag_kg_s.row(0);
+  amounts.middleRows(1, 3) = velocity_m_s.array().rowwise() * drag_kg_s.row(0).array();
+  amounts.middleRows(4, 3) = force_N;
+  amounts.array().rowwise() /= self.weight_at_particles.row(0).array();
+  MatrixXd const density = self.kernel.spread(amounts).array().rowwise() * self.weight.row(0).array();
+
+  fvMesh const& mesh = self.foam.mesh();
+  auto const name = [&](char const* what) { return IOobject(what, mesh.time().timeName(), mesh); };
+  std::unique_ptr<DragDensity> drag(new DragDensity{
+      {name("drag"), mesh, dimensionedScalar(dimMass / dimTime / dimVolume, Zero)},
+      {name("dragVelocity"), mesh, dimensionedVector(dimForce / dimVolume, Zero)},
+      {name("extraForce"), mesh, dimensionedVector(dimForce / dimVolume, Zero)}});
+  for (label cell = 0; cell < mesh.nCells(); ++cell) {
+    drag->coefficient[cell] = density(0, cell);
+    for (direction d = 0; d < 3; ++d) {
+      drag->velocitySource[cell][d] = density(1 + d, cell);
+      drag->force[cell][d] = density(4 + d, cell);
+    }
+  }
+  self.flow->setDrag(std::move(drag));
+}
+
+void FoamEngine::advance(Window const& window) {
+  Impl& self = *impl_;
+  if (self.particles > 0) self.weigh();
+  if (window.index == 0) {
+    self.flow->initialise();
+  } else {
+    self.flow->advance(window.t1_s);
+  }
+  self.observe();
+  self.write(window.t1_s);
+}
+
+void FoamEngine::Impl::observe() {
+  double const moved_m3 = solid.moved_m3();
+  scalarField const& eps = flow->eps();
+  scalarField const water(flow->saturation()().primitiveField() * eps);
+  quantities.clear();
+  for (VolumeBudget const& budget : flow->budgets()) {
+    quantities.push_back({budget.name + "_volume_m3", budget.now_m3});
+    quantities.push_back({budget.name + "_volume_defect", budget.defect()});
+    quantities.push_back({budget.name + "_outflow_m3", budget.out_m3});
+  }
+  quantities.push_back({"max_courant", flow->maxCourant()});
+  quantities.push_back({"min_void_fraction", gMin(eps)});
+  quantities.push_back({"solid_spread_m3", moved_m3});
+  quantities.push_back({"fluid_steps", static_cast<double>(flow->steps())});
+  WaterView const view{foam.mesh(), kernel.smoother().graph(), eps, water,
+                       flow->U().primitiveField()};
+  for (auto const& observer : observers) {
+    for (Quantity const& quantity : observer->observe(view)) quantities.push_back(quantity);
+  }
+}
+
+void FoamEngine::sample(std::string const& field, Table::Column out) {
+  Impl& self = *impl_;
+  if (self.particles == 0) return;
+  PorousFlow const& flow = *self.flow;
+  if (field == "velocity") {
+    out = self.weighted(flow.U().primitiveField());
+  } else if (field == "mean_velocity") {
+    out = self.weighted(flow.meanVelocity());
+  } else if (field == "density") {
+    out = self.kernel.gather(matrix(flow.density()().primitiveField()));
+  } else if (field == "viscosity") {
+    out = self.kernel.gather(matrix(flow.dynamicViscosity()().primitiveField()));
+  } else if (field == "void_fraction") {
+    out = self.kernel.gather(matrix(flow.eps().primitiveField()));
+  } else if (field == "saturation") {
+    out = self.kernel.gather(matrix(flow.saturation()().primitiveField()));
+  } else if (field == "pressure_gradient") {
+    out = self.kernel.gather(matrix(flow.meanPressureGradient()));
+  } else {
+    throw std::invalid_argument("slidewave_foam has no field " + field);
+  }
+}
+
+Vec3 FoamEngine::given_impulse() const { return vec3(impl_->flow->given()); }
+
+double FoamEngine::solid_volume_m3() const { return impl_->solid.volume_m3(impl_->kernel); }
+
+Vec3 FoamEngine::solid_pressure_force() const {
+  vectorField const& gradient = impl_->flow->meanPressureGradient();
+  if (gradient.empty()) return Vec3::Zero();
+  return impl_->solid.integrate(impl_->kernel, matrix(gradient));
+}
+
+}  // namespace slidewave::foam

@@ -1,0 +1,95 @@
+#include "OneFluid.H"
+
+#include "adjustPhi.H"
+#include "constrainHbyA.H"
+#include "constrainPressure.H"
+#include "findRefCell.H"
+#include "fvc.H"
+#include "fvm.H"
+
+namespace slidewave::foam {
+
+using namespace Foam;
+
+namespace {
+
+IOdictionary transportProperties(fvMesh const& mesh) {
+  return IOdictionary(IOobject("transportProperties", mesh.time().constant(), mesh,
+                               IOobject::MUST_READ, IOobject::NO_WRITE, /*registerObject=*/false));
+}
+
+}  // namespace
+
+OneFluid::OneFluid(fvMesh& mesh, Time& time)
+    : PorousFlow(mesh, time, "p"),
+      nu_("nu", dimViscosity, transportProperties(mesh)),
+      rho_("rho", dimDensity, transportProperties(mesh).lookupOrDefault<scalar>("rho", 1000)) {
+  if (transportProperties(mesh).lookupOrDefault<word>("transportModel", "Newtonian") !=
+      "Newtonian") {
+    FatalErrorInFunction << "transportProperties: only transportModel Newtonian" << exit(FatalError);
+  }
+  setRefCell(p_, pimple_.dict(), pRefCell_, pRefValue_);
+}
+
+void OneFluid::solveStep() {
+  while (pimple_.loop()) {
+    tmp<fvVectorMatrix> tUEqn = momentum();
+    while (pimple_.correct()) correctPressure(tUEqn.ref());
+  }
+}
+
+tmp<fvVectorMatrix> OneFluid::momentum() {
+  volScalarField const nu("nuEff", eps_ * nu_);
+  tmp<fvVectorMatrix> tUEqn((fvm::ddt(eps_, U_) + fvm::div(F_, U_, "div(phi,U)")) +
+                            (-fvc::div(nu * dev2(T(fvc::grad(U_)))) - fvm::laplacian(nu, U_)));
+  fvVectorMatrix& UEqn = tUEqn.ref();
+  addDrag(UEqn, 1 / rho_);
+  UEqn.relax();
+  if (pimple_.momentumPredictor()) solve(UEqn == -eps_ * fvc::grad(p_));
+  return tUEqn;
+}
+
+void OneFluid::correctPressure(fvVectorMatrix& UEqn) {
+  volScalarField const rAU(1 / UEqn.A());
+  surfaceScalarField const rAUf("rAUf", sqr(epsf_) * fvc::interpolate(rAU));
+  volVectorField const HbyA(constrainHbyA(rAU * UEqn.H(), U_, p_));
+  surfaceScalarField F("phiHbyA", fvc::flux(eps_ * HbyA) + epsf_ * fvc::interpolate(eps_ * rAU) *
+                                                               fvc::ddtCorr(U_, phi_));
+  if (p_.needReference()) adjustPhi(F, U_, p_);
+  constrainPressure(p_, eps_, U_, F, rAUf);
+
+  while (pimple_.correctNonOrthogonal()) {
+    fvScalarMatrix pEqn(fvm::laplacian(rAUf, p_) == fvc::div(F) + rate_);
+    pEqn.setReference(pRefCell_, pRefValue_);
+    pEqn.solve(mesh_.solver(p_.select(pimple_.finalInnerIter())));
+    if (pimple_.finalNonOrthogonalIter()) setFlux(F - pEqn.flux());
+  }
+  p_.relax();
+  U_ = HbyA - rAU * eps_ * fvc::grad(p_);
+  U_.correctBoundaryConditions();
+}
+
+tmp<vectorField> OneFluid::pressureGradient() const {
+  return rho_.value() * (fvc::grad(p_)().primitiveField() + g_.value());
+}
+
+tmp<surfaceScalarField> OneFluid::faceMobility() const {
+  return surfaceScalarField::New("mobility", mesh_, time_.deltaT());
+}
+
+void OneFluid::accountVolumes() {
+  fluid_.add(gSum((eps_.primitiveField() * mesh_.V().field())()),
+             time_.deltaTValue() * boundaryOutflow(F_));
+}
+
+tmp<volScalarField> OneFluid::uniform(dimensionedScalar const& value) const {
+  return volScalarField::New(value.name(), mesh_, value);
+}
+
+tmp<volScalarField> OneFluid::density() const { return uniform(rho_); }
+tmp<volScalarField> OneFluid::dynamicViscosity() const { return uniform(rho_ * nu_); }
+tmp<volScalarField> OneFluid::saturation() const {
+  return uniform(dimensionedScalar("saturation", dimless, 1));
+}
+
+}  // namespace slidewave::foam

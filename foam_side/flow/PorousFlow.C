@@ -1,0 +1,197 @@
+#include "PorousFlow.H"
+
+#include <algorithm>
+#include <cmath>
+
+#include "CorrectPhi.H"
+#include "OneFluid.H"
+#include "TwoFluids.H"
+#include "World.H"
+#include "extrapolatedCalculatedFvPatchFields.H"
+#include "fvc.H"
+#include "fvm.H"
+#include "zeroGradientFvPatchFields.H"
+
+namespace slidewave::foam {
+
+using namespace Foam;
+
+void VolumeBudget::add(double volume_m3, double stepOut_m3) {
+  now_m3 = volume_m3;
+  if (initial_m3 < 0) {
+    initial_m3 = volume_m3;
+  } else {
+    out_m3 += stepOut_m3;
+  }
+}
+
+double VolumeBudget::defect() const {
+  return std::abs(now_m3 - initial_m3 + out_m3) / std::max({initial_m3, now_m3, VSMALL});
+}
+
+scalar boundaryOutflow(surfaceScalarField const& flux) {
+  scalar out = 0;
+  for (fvsPatchScalarField const& patch : flux.boundaryField()) {
+    if (!patch.coupled()) out += sum(patch);
+  }
+  reduce(out, sumOp<scalar>());
+  return out;
+}
+
+std::unique_ptr<PorousFlow> PorousFlow::New(fvMesh& mesh, Time& time) {
+  IOdictionary const transport(
+      IOobject("transportProperties", time.constant(), mesh, IOobject::MUST_READ, IOobject::NO_WRITE,
+               /*registerObject=*/false));
+  if (transport.found("phases")) return std::make_unique<TwoFluids>(mesh, time);
+  return std::make_unique<OneFluid>(mesh, time);
+}
+
+namespace {
+
+IOobject stored(word const& name, fvMesh const& mesh, IOobject::readOption read,
+                IOobject::writeOption write) {
+  return IOobject(name, mesh.time().timeName(), mesh, read, write);
+}
+
+}  // namespace
+
+PorousFlow::PorousFlow(fvMesh& mesh, Time& time, word const& pressure)
+    : mesh_(mesh),
+      time_(time),
+      pimple_(mesh),
+      p_(stored(pressure, mesh, IOobject::MUST_READ, IOobject::AUTO_WRITE), mesh),
+      U_(stored("U", mesh, IOobject::MUST_READ, IOobject::AUTO_WRITE), mesh),
+      g_(IOobject("g", time.constant(), mesh, IOobject::READ_IF_PRESENT),
+         dimensionedVector("g", dimAcceleration, Zero)),
+      eps_(stored("eps", mesh, IOobject::NO_READ, IOobject::AUTO_WRITE), mesh,
+           dimensionedScalar("eps", dimless, 1), zeroGradientFvPatchScalarField::typeName),
+      epsf_("epsf", fvc::interpolate(eps_)),
+      phi_(stored("phi", mesh, IOobject::NO_READ, IOobject::NO_WRITE), fvc::flux(U_)),
+      F_("F", epsf_ * phi_),
+      rate_(stored("rate", mesh, IOobject::NO_READ, IOobject::NO_WRITE), mesh,
+            dimensionedScalar("rate", dimless / dimTime, 0)),
+      stepSize_(time) {
+  eps_.oldTime();
+  phi_.oldTime();
+  mesh_.setFluxRequired(p_.name());
+}
+
+PorousFlow::~PorousFlow() = default;
+
+void PorousFlow::keepMeans(bool velocity, bool pressureGradient) {
+  keepVelocity_ = velocity;
+  keepGradient_ = pressureGradient;
+  if (velocity) meanU_.setSize(mesh_.nCells(), Zero);
+  if (pressureGradient) meanGradP_.setSize(mesh_.nCells(), Zero);
+}
+
+void PorousFlow::setDrag(std::unique_ptr<DragDensity> drag) { drag_ = std::move(drag); }
+
+void PorousFlow::setTarget(scalarField const& eps) {
+  target_ = std::make_unique<scalarField>(eps);
+  if (initialised_) return;
+  rampTo(1);
+  eps_.oldTime() == eps_;
+  setFlux(epsf_ * phi_);
+}
+
+void PorousFlow::initialise() {
+  initialised_ = true;
+  TrapFloatingPoint const trap;
+  solveHydrostatic();
+  if (keepVelocity_) meanU_ = U_.primitiveField();
+  if (keepGradient_) meanGradP_ = pressureGradient()();
+  accountVolumes();
+}
+
+void PorousFlow::advance(double end_s) {
+  double const begin_s = time_.value();
+  TrapFloatingPoint const trap;
+  startWindow(end_s - begin_s);
+  while (time_.value() < end_s - 1e-9 * (end_s - begin_s)) {
+    double const last_s = time_.deltaTValue();
+    double const courant =
+        courantNumber(F_, eps_, target_ ? *target_ : eps_.primitiveField(), last_s);
+    maxCourant_ = std::max(maxCourant_, courant);
+    time_.setDeltaT(stepSize_.next(time_.value(), end_s, courant, interfaceCourant(), last_s), false);
+    Info << "Courant " << courant << " dt " << time_.deltaTValue() << nl;
+    ++time_;
+    Info << "Time = " << time_.timeName() << nl << endl;
+    rampTo((time_.value() - begin_s) / (end_s - begin_s));
+    solveStep();
+    account();
+    time_.run();  // the case's function objects
+    ++steps_;
+  }
+  time_.setTime(end_s, time_.timeIndex());
+  double const window_s = end_s - begin_s;
+  if (keepVelocity_) meanU_ /= window_s;
+  if (keepGradient_) meanGradP_ /= window_s;
+  start_.reset();
+}
+
+// The ramp's slope, and a flux that satisfies continuity with it from the first step on: otherwise
+// the phase equation would see the last window's rate, and saturation would leave [0, 1].
+void PorousFlow::startWindow(double length_s) {
+  meanU_ = Zero;
+  meanGradP_ = Zero;
+  given_ = Zero;
+  if (!target_) return;
+  start_ = std::make_unique<scalarField>(eps_.primitiveField());
+  scalarField rate((*target_ - *start_) / length_s);
+  if (p_.needReference()) {
+    scalarField const& V = mesh_.V();
+    scalar const excess = gSum((rate * V)()) / gSum(V);
+    if (mag(excess) * length_s > 1e-9) {
+      FatalErrorInFunction << "solid volume enters or leaves a closed domain: mean d(eps)/dt = "
+                           << excess << " 1/s; particles must stay inside, or a patch must fix the "
+                           << "pressure" << exit(FatalError);
+    }
+    rate -= excess;
+  }
+  scalar const change = gMax(mag(rate - rate_.primitiveField())());
+  rate_.primitiveFieldRef() = rate;
+  if (change * length_s > 1e-13) projectFlux();
+}
+
+void PorousFlow::projectFlux() {
+  surfaceScalarField const mobility(epsf_ * faceMobility());
+  CorrectPhi(U_, F_, p_, mobility, (-rate_)(), pimple_);
+  setFlux(F_ * 1.0);
+}
+
+void PorousFlow::rampTo(double fraction) {
+  if (!target_) return;
+  if (fraction > 1 - 1e-9 || !start_) {
+    eps_.primitiveFieldRef() = *target_;
+  } else {
+    eps_.primitiveFieldRef() = *start_ + fraction * (*target_ - *start_);
+  }
+  eps_.correctBoundaryConditions();
+  epsf_ = fvc::interpolate(eps_);
+}
+
+void PorousFlow::setFlux(tmp<surfaceScalarField> const& F) {
+  F_ = F;
+  phi_ = F_ / epsf_;
+}
+
+void PorousFlow::addDrag(fvVectorMatrix& UEqn, dimensionedScalar const& scale) const {
+  if (!drag_) return;
+  UEqn += fvm::Sp(scale * drag_->coefficient, U_);
+  UEqn -= scale * (drag_->velocitySource + drag_->force);
+}
+
+void PorousFlow::account() {
+  double const dt_s = time_.deltaTValue();
+  accountVolumes();
+  if (keepVelocity_) meanU_ += dt_s * U_.primitiveField();
+  if (keepGradient_) meanGradP_ += dt_s * pressureGradient();
+  if (drag_) {
+    vectorField const taken(drag_->coefficient.field() * U_.primitiveField() -
+                            drag_->velocitySource.field() - drag_->force.field());
+    given_ += dt_s * sum((taken * mesh_.V().field())());
+  }
+}
+
+}  // namespace slidewave::foam

@@ -1,0 +1,147 @@
+#include "TwoFluids.H"
+
+#include "constrainHbyA.H"
+#include "constrainPressure.H"
+#include "adjustPhi.H"
+#include "findRefCell.H"
+#include "fvc.H"
+#include "fvm.H"
+
+namespace slidewave::foam {
+
+using namespace Foam;
+
+namespace {
+
+// Height above the reference level, along gravity: g.x = gh + g.h_ref.
+dimensionedScalar referenceHead(fvMesh const& mesh, dimensionedVector const& g) {
+  uniformDimensionedScalarField const hRef(
+      IOobject("hRef", mesh.time().constant(), mesh, IOobject::READ_IF_PRESENT),
+      dimensionedScalar("hRef", dimLength, 0));
+  if (mag(g.value()) < SMALL) return {"ghRef", g.dimensions() * dimLength, 0};
+  return g & (cmptMag(g.value()) / mag(g.value())) * hRef;
+}
+
+}  // namespace
+
+TwoFluids::TwoFluids(fvMesh& mesh, Time& time)
+    : PorousFlow(mesh, time, "p_rgh"),
+      mixture_(U_, phi_),
+      rho_("rho", mixture_.alpha1() * mixture_.rho1() + mixture_.alpha2() * mixture_.rho2()),
+      alphaF_("alphaF", F_ * fvc::interpolate(mixture_.alpha1())),
+      rhoF_("rhoPhi", fvc::interpolate(rho_) * F_),
+      gh_("gh", (g_ & mesh.C()) - referenceHead(mesh, g_)),
+      ghf_("ghf", (g_ & mesh.Cf()) - referenceHead(mesh, g_)),
+      p_full_(IOobject("p", time.timeName(), mesh, IOobject::NO_READ, IOobject::AUTO_WRITE),
+              p_ + rho_ * gh_),
+      balance_(IOobject("balance", time.timeName(), mesh), mesh,
+               dimensionedVector("balance", dimForce / dimVolume, Zero)) {
+  rho_.oldTime();
+  mesh_.setFluxRequired(mixture_.alpha1().name());
+  setRefCell(p_full_, p_, pimple_.dict(), pRefCell_, pRefValue_);
+  setPressure();
+}
+
+void TwoFluids::solveStep() {
+  while (pimple_.loop()) {
+    solvePhase();
+    mixture_.correct();
+    tmp<fvVectorMatrix> tUEqn = momentum();
+    while (pimple_.correct()) correctPressure(tUEqn.ref());
+  }
+}
+
+tmp<fvVectorMatrix> TwoFluids::momentum() {
+  volScalarField const mu("(rho*nuEff)", eps_ * rho_ * mixture_.nu());
+  tmp<fvVectorMatrix> tUEqn((fvm::ddt(eps_, rho_, U_) + fvm::div(rhoF_, U_)) +
+                            (-fvc::div(mu * dev2(T(fvc::grad(U_)))) - fvm::laplacian(mu, U_)));
+  fvVectorMatrix& UEqn = tUEqn.ref();
+  addDrag(UEqn, dimensionedScalar("one", dimless, 1));
+  UEqn.relax();
+  if (pimple_.momentumPredictor()) {
+    solve(UEqn ==
+          eps_ * fvc::reconstruct((bodyForce() - fvc::snGrad(p_)) * mesh_.magSf()));
+  }
+  return tUEqn;
+}
+
+// Face-normal forces [N/m3] other than the pressure that is solved for.
+tmp<surfaceScalarField> TwoFluids::bodyForce() const {
+  return mixture_.surfaceTensionForce() - ghf_ * fvc::snGrad(rho_);
+}
+
+void TwoFluids::correctPressure(fvVectorMatrix& UEqn) {
+  volScalarField const rAU(1 / UEqn.A());
+  surfaceScalarField const rAUf("rAUf", sqr(epsf_) * fvc::interpolate(rAU));
+  volVectorField const HbyA(constrainHbyA(rAU * UEqn.H(), U_, p_));
+  // eps HbyA goes to the faces as one product: its flux is smooth where eps jumps.
+  surfaceScalarField F("phiHbyA", fvc::flux(eps_ * HbyA) +
+                                      epsf_ * fvc::interpolate(eps_ * rho_ * rAU) *
+                                          fvc::ddtCorr(U_, phi_));
+  if (p_.needReference()) adjustPhi(F, U_, p_);
+  surfaceScalarField const forceFlux(bodyForce() * rAUf * mesh_.magSf());
+  F += forceFlux;
+  constrainPressure(p_, eps_, U_, F, rAUf);
+
+  while (pimple_.correctNonOrthogonal()) {
+    fvScalarMatrix pEqn(fvm::laplacian(rAUf, p_) == fvc::div(F) + rate_);
+    pEqn.setReference(pRefCell_, getRefCellValue(p_, pRefCell_));
+    pEqn.solve(mesh_.solver(p_.select(pimple_.finalInnerIter())));
+    if (pimple_.finalNonOrthogonalIter()) {
+      tmp<surfaceScalarField> const flux = pEqn.flux();
+      setFlux(F - flux());
+      p_.relax();
+      balance_ = fvc::reconstruct((forceFlux - flux()) / rAUf);
+      U_ = HbyA + rAU * eps_ * balance_;
+      U_.correctBoundaryConditions();
+    }
+  }
+  setPressure();
+}
+
+// Pressure in equilibrium with gravity, in pores and in open water alike.
+void TwoFluids::solveHydrostatic() {
+  surfaceScalarField const rAUf("rAUf", epsf_ * faceMobility());
+  surfaceScalarField const forceFlux(bodyForce() * rAUf * mesh_.magSf());
+  constrainPressure(p_, eps_, (0 * U_)(), forceFlux, rAUf);
+  tmp<surfaceScalarField> flux;
+  for (int pass = 0; pass <= 5 * pimple_.nNonOrthCorr(); ++pass) {
+    fvScalarMatrix pEqn(fvm::laplacian(rAUf, p_) == fvc::div(forceFlux));
+    pEqn.setReference(pRefCell_, getRefCellValue(p_, pRefCell_));
+    pEqn.solve(mesh_.solver(p_.select(true)));
+    flux = pEqn.flux();
+  }
+  balance_ = fvc::reconstruct((forceFlux - flux) / rAUf);
+  setPressure();
+}
+
+void TwoFluids::setPressure() {
+  p_full_ == p_ + rho_ * gh_;
+  if (p_.needReference()) {
+    p_full_ += dimensionedScalar("p", p_.dimensions(),
+                                 pRefValue_ - getRefCellValue(p_full_, pRefCell_));
+    p_ = p_full_ - rho_ * gh_;
+  }
+}
+
+tmp<vectorField> TwoFluids::pressureGradient() const {
+  return rho_.primitiveField() * g_.value() - balance_.primitiveField();
+}
+
+tmp<surfaceScalarField> TwoFluids::faceMobility() const {
+  return time_.deltaT() / fvc::interpolate(rho_);
+}
+
+scalar TwoFluids::interfaceCourant() const {
+  scalarField const near(mixture_.nearInterface()().primitiveField());
+  return courantNumber(F_, eps_, eps_, time_.deltaTValue(), &near);
+}
+
+void TwoFluids::accountVolumes() {
+  scalarField const pores(eps_.primitiveField() * mesh_.V().field());
+  scalarField const& a = mixture_.alpha1();
+  water_.add(gSum((pores * a)()), waterOutStep_);
+  air_.add(gSum((pores * (1 - a))()), airOutStep_);
+}
+
+}  // namespace slidewave::foam

@@ -1,0 +1,86 @@
+#include "Locator.H"
+
+#include <limits>
+
+#include "indexedOctree.H"
+#include "treeDataCell.H"
+#include "treeDataFace.H"
+
+namespace slidewave::foam {
+
+using namespace Foam;
+
+Locator::Locator(fvMesh const& mesh)
+    : mesh_(mesh),
+      search_(mesh, polyMesh::FACE_PLANES),
+      solved_(mesh.geometricD()),
+      middle_(mesh.bounds().midpoint()) {
+  search_.boundaryTree();  // built here, by all ranks
+  search_.cellTree();
+}
+
+point Locator::inSlab(Vec3 const& position_m) const {
+  point inside(position_m.x(), position_m.y(), position_m.z());
+  for (direction d = 0; d < vector::nComponents; ++d) {
+    if (solved_[d] < 0) inside[d] = middle_[d];
+  }
+  return inside;
+}
+
+// The face of `cell` whose plane the point lies farthest beyond, or -1 where it is inside all.
+label Locator::exitFace(point const& position, label cell) const {
+  label exit = -1;
+  scalar farthest = 0;
+  for (label const face : mesh_.cells()[cell]) {
+    vector const& area = mesh_.faceAreas()[face];
+    scalar beyond = (position - mesh_.faceCentres()[face]) & area / mag(area);
+    if (mesh_.faceOwner()[face] != cell) beyond = -beyond;
+    if (beyond > farthest) {
+      farthest = beyond;
+      exit = face;
+    }
+  }
+  return exit;
+}
+
+label Locator::walk(point const& position, label cell) const {
+  for (int step = 0; step < 64; ++step) {
+    label const face = exitFace(position, cell);
+    if (face < 0) return cell;
+    if (!mesh_.isInternalFace(face)) return -1;
+    cell = mesh_.faceOwner()[face] == cell ? mesh_.faceNeighbour()[face] : mesh_.faceOwner()[face];
+  }
+  return -1;
+}
+
+Home Locator::locate(Vec3 const& position_m, int hint_cell) const {
+  if (mesh_.nCells() == 0) return {};
+  point const position = inSlab(position_m);
+  if (hint_cell >= 0 && hint_cell < mesh_.nCells()) {
+    label const cell = walk(position, hint_cell);
+    if (cell >= 0) return {cell, 0};
+  }
+  if (mesh_.bounds().contains(position)) {
+    label const cell = search_.cellTree().findInside(position);
+    if (cell >= 0) return {cell, 0};
+  }
+  // The tree holds every face that bounds this rank's part, faces to other ranks included.
+  pointIndexHit const hit = search_.boundaryTree().findNearest(position, Foam::sqr(GREAT));
+  if (!hit.hit()) return {};
+  label const face = search_.boundaryTree().shapes().faceLabels()[hit.index()];
+  return {mesh_.faceOwner()[face], mag(hit.hitPoint() - position)};
+}
+
+Box Locator::bounds() const {
+  Box box;
+  if (mesh_.nCells() == 0) return box;
+  boundBox const own(mesh_.points(), /*reduce=*/false);
+  for (direction d = 0; d < vector::nComponents; ++d) {
+    bool const open = solved_[d] < 0;
+    box.low[d] = open ? -std::numeric_limits<double>::max() : own.min()[d];
+    box.high[d] = open ? std::numeric_limits<double>::max() : own.max()[d];
+  }
+  return box;
+}
+
+}  // namespace slidewave::foam

@@ -1,0 +1,48 @@
+// slidewave_foam DIR: the fluid side of a coupled run.
+#include <cstdio>
+#include <iostream>
+#include <stdexcept>
+
+#include "FoamEngine.H"
+#include "World.H"
+#include "error.H"
+#include "slidewave/coupler.hpp"
+
+namespace {
+
+using namespace slidewave;
+
+// OpenFOAM writes to stdout; the user's terminal belongs to Session::say.
+void sendOutputTo(std::filesystem::path const& log, MPI_Comm comm) {
+  int rank = 0;
+  MPI_Comm_rank(comm, &rank);
+  if (rank == 0) std::freopen(log.c_str(), "w", stdout);
+  MPI_Barrier(comm);
+  if (rank != 0) std::freopen(log.c_str(), "a", stdout);
+}
+
+int simulate(Session& session) {
+  sendOutputTo(session.scene().directory() / "log.fluid", session.comm());
+  foam::enterWorld(session.comm(), [&session](std::string const& reason, int status) {
+    session.fail(reason, status);
+  });
+  try {
+    foam::FoamEngine engine(session.scene(), session.comm());
+    for (auto const& [name, value] : engine.facts()) session.state(name, value);
+    return run(session, engine);
+  } catch (Foam::error const& problem) {
+    Foam::Info << problem << Foam::endl;
+    throw std::runtime_error("OpenFOAM: " + problem.message());
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::cerr << "usage: slidewave_foam DIR   (a run directory; one mpirun starts both sides)\n";
+    return 2;
+  }
+  Session session(Role::fluid, argv[1]);
+  return guarded(session, simulate);
+}
