@@ -22,6 +22,16 @@ inline bool dropped(slidewave::Session const& session, std::string const& name, 
   return here && window == 3 && fault(session, name);
 }
 
+/// A cell, or a whole rank, that a budget forgets.
+inline bool forgotten(slidewave::Session const& session, long window, bool chosen_cell) {
+  return dropped(session, "drop_cell", window, chosen_cell) ||
+         dropped(session, "drop_rank", window, session.rank() == session.size() - 1);
+}
+
+inline char const* name_of_density(slidewave::Session const& session) {
+  return fault(session, "no_density") ? "mass" : "density";
+}
+
 /// Ways in which an engine may break in the middle of a run; `side` is "fluid" or "dem".
 inline void break_down(slidewave::Session const& session, std::string const& side, long window) {
   if (window == 20 && fault(session, side + "_signalled")) {
