@@ -1,8 +1,10 @@
 #include "fix_slidewave.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "atom.h"
+#include "atom_column.h"
 #include "error.h"
 #include "fix_property_atom.h"
 #include "force.h"
@@ -55,25 +57,7 @@ FixSlidewave::FixSlidewave(LAMMPS* lammps, int argument_count, char** arguments)
 
 void FixSlidewave::post_create() {
   for (auto& [name, column] : columns_) {
-    std::vector<std::string> words = {"slidewave_" + name,
-                                      "all",
-                                      "property/atom",
-                                      "slidewave_" + name,
-                                      column.components > 1 ? "vector" : "scalar",
-                                      "yes",
-                                      "no",
-                                      "no"};
-    for (double const value : column.initial) {
-      char text[32];
-      std::snprintf(text, sizeof(text), "%.17g", value);
-      words.emplace_back(text);
-    }
-    std::vector<char*> arguments;
-    for (std::string& word : words) {
-      arguments.push_back(word.data());
-    }
-    column.store =
-        modify->add_fix_property_atom(static_cast<int>(arguments.size()), arguments.data(), style);
+    column.store = slidewave::dem::add_atom_column(*lmp, name, column.initial);
   }
 }
 
@@ -105,6 +89,14 @@ void FixSlidewave::init() {
 double* FixSlidewave::values(std::string const& column, int i) const {
   Column const& found = columns_.at(column);
   return found.components == 1 ? &found.store->vector_atom[i] : found.store->array_atom[i];
+}
+
+void FixSlidewave::begin_window() {
+  factors_valid_ = false;
+  received_.fill(0);
+  for (int i = 0; i < atom->nlocal && has("impulse"); ++i) {
+    std::fill_n(values("impulse", i), 3, 0.0);
+  }
 }
 
 void FixSlidewave::setup(int) {
@@ -160,14 +152,20 @@ void FixSlidewave::kick() {
   double* const* const impulse =
       has("impulse") ? columns_.at("impulse").store->array_atom : nullptr;
   double const* other = other_force_N_.data();
+  auto const book = [&](int i, int axis, double share) {
+    received_[static_cast<unsigned>(axis)] += share;
+    if (impulse) {
+      impulse[i][axis] += share;
+    }
+  };
   for (int i = 0; i < atom->nlocal; ++i) {
     for (int axis = 0; axis < 3; ++axis, ++other) {
       double& f = atom->f[i][axis];
       double const v = atom->v[i][axis];
       if (held_.held(atom->mask[i], axis)) {
         f = *other;
-        if (drags && impulse) {
-          impulse[i][axis] += drag[i] * (fluid[i][axis] - v) * half_dt_s;
+        if (drags) {
+          book(i, axis, drag[i] * (fluid[i][axis] - v) * half_dt_s);
         }
         continue;
       }
@@ -178,10 +176,9 @@ void FixSlidewave::kick() {
       }
       slidewave::KickFactors const& factors = factors_[static_cast<std::size_t>(i)];
       f = slidewave::effective_force(factors, drag[i], fluid[i][axis], v, all_N);
-      if (impulse) {
-        impulse[i][axis] += slidewave::drag_impulse(factors, drag[i], fluid[i][axis], v, all_N,
-                                                    atom->rmass[i], half_dt_s);
-      }
+      book(i, axis,
+           slidewave::drag_impulse(factors, drag[i], fluid[i][axis], v, all_N, atom->rmass[i],
+                                   half_dt_s));
     }
   }
 }

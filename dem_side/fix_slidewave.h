@@ -12,6 +12,7 @@
 // first; the engine overwrites them once a window.
 #pragma once
 
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -41,8 +42,11 @@ class FixSlidewave : public Fix {
   bool has(std::string const& column) const { return columns_.count(column) > 0; }
   /// The column's values of a local atom: 1, 3 or 4 numbers. The column must exist.
   double* values(std::string const& column, int atom) const;
-  /// The values of drag have changed.
-  void drag_changed() { factors_valid_ = false; }
+  /// New values of drag: a window begins, the impulse is counted from zero.
+  void begin_window();
+  /// Drag impulse [kg m/s] of this rank's atoms since begin_window(), counted kick by kick and not
+  /// read from the column, which may lose it with an atom.
+  std::array<double, 3> const& received() const { return received_; }
 
  private:
   struct Column {
@@ -60,6 +64,7 @@ class FixSlidewave : public Fix {
   std::vector<double> other_force_N_;  // contacts, weight, other fixes; 3 per local atom
   std::vector<slidewave::KickFactors> factors_;
   bool factors_valid_ = false;
+  std::array<double, 3> received_{};
 };
 
 }  // namespace LAMMPS_NS

@@ -204,12 +204,11 @@ void LiggghtsEngine::apply(Table const& answers) {
       }
     }
   }
-  if (kick_->has("impulse")) {
-    for (int i = 0; i < atom.nlocal; ++i) {
-      std::fill_n(kick_->values("impulse", i), 3, 0.0);
-    }
-  }
-  kick_->drag_changed();
+  kick_->begin_window();
+}
+
+std::optional<Vec3> LiggghtsEngine::received_impulse() const {
+  return kick_ ? std::optional<Vec3>(kick_->received().data()) : std::nullopt;
 }
 
 void LiggghtsEngine::advance(Window const& window) {

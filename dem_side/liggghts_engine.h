@@ -31,6 +31,7 @@ class LiggghtsEngine : public ParticleEngine {
   void gather(Table& particles) override;
   void apply(Table const& answers) override;
   void advance(Window const& window) override;
+  std::optional<Vec3> received_impulse() const override;
 
  private:
   void set_up_scene();

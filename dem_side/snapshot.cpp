@@ -8,9 +8,9 @@
 #include <stdexcept>
 
 #include "atom.h"
+#include "atom_column.h"
 #include "fix_property_atom.h"
 #include "lammps.h"
-#include "modify.h"
 #include "slidewave/engine.hpp"
 #include "stock_facts.h"
 
@@ -111,21 +111,7 @@ Snapshots::Snapshots(LAMMPS_NS::LAMMPS& lmp, std::filesystem::path folder, int l
 }
 
 void Snapshots::assign_layers(int layers) {
-  char words[][20] = {"slidewave_layer",
-                      "all",
-                      "property/atom",
-                      "slidewave_layer",
-                      "scalar",
-                      "yes",
-                      "no",
-                      "no",
-                      "0"};
-  std::vector<char*> arguments;
-  for (auto& word : words) {
-    arguments.push_back(word);
-  }
-  layer_ = lmp_.modify->add_fix_property_atom(static_cast<int>(arguments.size()), arguments.data(),
-                                              "slidewave");
+  layer_ = add_atom_column(lmp_, "layer", {0.0});
   LAMMPS_NS::Atom const& atom = *lmp_.atom;
   double range_m[2] = {1e300, 1e300};  // lowest, and minus the highest
   for (int i = 0; i < atom.nlocal; ++i) {

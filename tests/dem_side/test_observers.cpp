@@ -110,6 +110,8 @@ TEST(Snapshots, HoldEveryParticleSortedByIdWithItsLayer) {
   scene.lines({"velocity all set 1 2 -3 units box"});
   slidewave::dem::Snapshots snapshots(scene.lmp(), folder, 3);
   snapshots.write(0, 0);
+  scene.lines(
+      {"fix still all nve/noforce", "timestep 1e-9", "run 1"});  // a set-up keeps the layers
   snapshots.write(25, 0.5);
   MPI_Barrier(MPI_COMM_WORLD);
   std::ifstream series(folder / "particles.vtk.series");

@@ -1,5 +1,6 @@
 """slidewave_dem as a user starts it: dry runs against stock liggghts, and every way to go wrong."""
 
+import json
 import os
 import shutil
 import subprocess
@@ -10,6 +11,7 @@ import unittest
 from pathlib import Path
 
 PROGRAM = os.environ["SLIDEWAVE_DEM"]
+FAKE_FLUID = os.environ["SLIDEWAVE_FAKE_FLUID"]
 MPIRUN = os.environ["SLIDEWAVE_MPIRUN"].split(";")
 
 CASE = """
@@ -157,6 +159,110 @@ class PlainScript(Folder):
         self.assertEqual(subprocess.run([PROGRAM, "--script", "none"], cwd=self.dir,
                                         capture_output=True, check=False).returncode, 2)
         self.assertEqual(subprocess.run([PROGRAM], capture_output=True, check=False).returncode, 2)
+
+
+def coupled(directory, fluid_ranks, dem_ranks):
+    line = [*MPIRUN, "-np", str(fluid_ranks), FAKE_FLUID, str(directory), ":", "-np", str(dem_ranks),
+            PROGRAM, str(directory)]
+    return subprocess.run(line, capture_output=True, text=True, timeout=60)
+
+
+COUPLED_CASE = """
+[case]
+name = "row"
+end_time = 0.4
+[coupling]
+window = 0.01
+smoothing_length = 0.5
+[physics]
+gravity = [0, 0, -9.81]
+[fluid]
+engine = "fake"
+[dem]
+engine = "liggghts"
+script = "dem/in.setup"
+[parameters]
+dem_dt = 4e-4
+cells = 8
+length = 8.0
+fluid_density = 1000.0
+viscosity = 0.2
+fluid_velocity = 1.5
+[observe.first]
+type = "particle"
+id = 1
+"""
+
+# A row of free spheres that the fluid carries through the periodic face, and a held one.
+COUPLED_SETUP = """
+units si
+atom_style granular
+atom_modify map array sort 0 0
+boundary p f f
+newton off
+communicate single vel yes
+region box block 0 8 0 1 0 1 units box
+create_box 1 box
+neighbor 0.05 bin
+neigh_modify delay 0
+lattice sc 0.5
+region fill block 0.1 7.9 0.3 0.7 0.3 0.7 units box
+create_atoms 1 region fill
+set group all diameter 0.05 density 1100
+group held id 3
+fix integrate all nve/sphere
+fix weight all gravity 9.81 vector 0 0 -1
+fix hold held freeze
+"""
+
+
+class Coupled(Folder):
+    def setUp(self):
+        super().setUp()
+        self.write(COUPLED_CASE, COUPLED_SETUP)
+
+    def test_momentum_is_exchanged_to_round_off(self):
+        rows = []
+        for ranks in ((1, 1), (2, 1), (1, 2)):
+            with self.subTest(ranks=ranks):
+                done = coupled(self.dir, *ranks)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                summary = json.loads((self.dir / "summary.json").read_text())
+                self.assertGreater(summary["particles"], 10)
+                self.assertLess(summary["budgets"]["momentum_defect"], 1e-10)
+                table = (self.dir / "history.csv").read_text().splitlines()
+                names = table[0].split(",")
+                last = dict(zip(names, table[-1].split(",")))
+                rows.append([float(last[n]) for n in ("first_x_m", "first_z_m", "first_vx_m_s")])
+        self.assertGreater(rows[0][2], 0.5)  # carried by the fluid
+        for row in rows[1:]:
+            for one, other in zip(rows[0], row):
+                self.assertAlmostEqual(one, other, delta=1e-9 * abs(one))
+
+    def test_errors_end_both_programs(self):
+        for line, reason in (("nonsense here\n", "Unknown command"),
+                             ("velocity all set 0 0 -900 units box\n", "Lost atoms"),
+                             ("dump d all custom/vtk 10 x*.vtk id x y z\n", "VTK dump")):
+            with self.subTest(line=line):
+                self.write(COUPLED_CASE.replace("window = 0.01", 'window = 0.01\noutside = "error"'),
+                           COUPLED_SETUP + line)
+                begin = time.time()
+                done = coupled(self.dir, 1, 2)
+                self.assertLess(time.time() - begin, 10)
+                self.assertNotEqual(done.returncode, 0)
+
+    def test_sides_that_disagree(self):
+        self.write(COUPLED_CASE, COUPLED_SETUP.replace("9.81 vector", "9.8 vector"))
+        done = coupled(self.dir, 1, 1)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("gravity", done.stderr)
+
+    def test_partner_missing(self):
+        begin = time.time()
+        done = mpirun(1, PROGRAM, self.dir)
+        self.assertLess(time.time() - begin, 20)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("fluid", done.stderr)
 
 
 class Failures(Folder):
