@@ -69,7 +69,7 @@ def read_points(path: Path) -> Points:
     while (words := reader.line()) is not None:
         match words[0].upper():
             case "POINTS":
-                points.positions = reader.array(3 * int(words[1]), words[2]).reshape(-1, 3)
+                points.positions = reader.array(3 * int(words[1]), words[2]).astype(float).reshape(-1, 3)
             case "VERTICES" | "LINES" | "POLYGONS":
                 reader.array(int(words[2]), "int")
             case "SCALARS":

@@ -47,9 +47,9 @@ class Loading(ScratchCase):
     def test_variant_then_settings(self) -> None:
         base = cases.load(str(self.case))
         self.assertEqual((base.variant, base.get("coupling.reaction")), ("two_way", "two_way"))
-        stiff = cases.load(str(self.case), "stiff", ["coupling.window=0.0108"])
-        self.assertEqual(stiff.get("coupling.window"), 0.0108)
-        self.assertEqual(stiff.get("parameters.dem_dt"), 0.0216)
+        stiff = cases.load(str(self.case), "stiff", ["coupling.window=4.4e-3"])
+        self.assertEqual(stiff.get("coupling.window"), 4.4e-3)
+        self.assertEqual(stiff.get("parameters.dem_dt"), 2.2e-3)
         self.assertEqual(stiff.get("parameters.diameter"), 2e-3)
         self.assertEqual(len(stiff.get("target")), 1)
         self.assertEqual(stiff.get("target")[0]["required"], True)

@@ -17,7 +17,7 @@ class Parameters(ScratchCase):
     def test_fluid_file_reads_back(self) -> None:
         text = parameters.fluid_text(self.loaded)
         found = dict(re.findall(r"^(\w+) ([^;()]+);$", text, flags=re.M))
-        expected = dict(self.loaded.parameters, end_time=0.3, window=5e-4, output_interval=0.05)
+        expected = dict(self.loaded.parameters, end_time=0.1, window=5e-4, output_interval=0.02)
         self.assertEqual({k: float(v) for k, v in found.items()}, expected)
         self.assertIn("gravity (1.5 0 -9.25);", text)
 
@@ -27,7 +27,7 @@ class Parameters(ScratchCase):
         script = self.place / "in.show"
         script.write_text("show ${fluid_viscosity} ${gravity_x} ${gravity_z} ${window} ${end_time}\n")
         words = dem_script.read(script, file).commands[-1]
-        self.assertEqual([float(w) for w in words[1:]], [0.12345678901234567, 1.5, -9.25, 5e-4, 0.3])
+        self.assertEqual([float(w) for w in words[1:]], [0.12345678901234567, 1.5, -9.25, 5e-4, 0.1])
 
     def test_texts_are_quoted_where_needed(self) -> None:
         self.loaded.put("parameters.scheme", "vanLeer")
