@@ -33,7 +33,7 @@ void History::add(Window const& window, std::vector<Quantity> const& columns) {
   bool same = columns.size() == names_.size();
   for (std::size_t k = 0; same && k < columns.size(); ++k) {
     same = columns[k].name == names_[k];
-    line += fmt::format(",{:.10g}", columns[k].value);
+    line += fmt::format(",{:.12g}", columns[k].value);
   }
   if (!same) {
     throw std::runtime_error("an engine changed the names of its quantities during the run");

@@ -47,7 +47,7 @@ std::string version() {
 Session::Impl::Impl(Role as, std::filesystem::path const& directory)
     : role(as),
       start_s(now_s()),
-      failure(directory, name_of(as)),
+      failure(std::filesystem::absolute(directory), name_of(as)),
       waiter(failure, profile, 600),
       finalises_mpi(start_mpi(as)),
       scene(read_scene(directory, failure)),

@@ -1,0 +1,50 @@
+#include <gtest/gtest.h>
+
+#include "models.hpp"
+#include "scratch.hpp"
+
+using namespace slidewave;
+
+namespace {
+
+Models read(std::string const& text) {
+  Scratch const scratch(text);
+  return Models::from(Scene(scratch.path));
+}
+
+}  // namespace
+
+TEST(Models, DefaultsAreTheFlagships) {
+  Models const models = read("[coupling]\nsmoothing_length = 5.7\n");
+  EXPECT_TRUE(models.drag && models.pressure_gradient && models.two_way && models.ledger());
+  EXPECT_EQ(models.drag_model.law, "di_felice");
+  EXPECT_EQ(models.coarse_grain, 1);
+  EXPECT_EQ(models.smoothing_length_m, 5.7);
+  EXPECT_EQ(models.outside, Outside::error);
+}
+
+TEST(Models, OneWayNeedsNoKernelNorLedger) {
+  Models const models = read("[coupling]\nreaction = \"one_way\"\n");
+  EXPECT_FALSE(models.porosity());
+  EXPECT_FALSE(models.ledger());
+  for (Need const& need : models.needs()) {
+    EXPECT_NE(need.field.name, "void_fraction");
+    EXPECT_NE(need.field.name, "mean_velocity");
+  }
+}
+
+TEST(Models, RefusesWhatItDoesNotKnow) {
+  std::string const one_way = "[coupling]\nreaction = \"one_way\"\n";
+  EXPECT_THROW(read("[coupling]\nreaction = \"both\"\n"), InputError);
+  EXPECT_THROW(read(one_way + "outside = \"lose\"\n"), InputError);
+  EXPECT_THROW(read(one_way + "scheme = \"concurrent\"\n"), InputError);
+  EXPECT_THROW(read(one_way + "[models]\ndrag = 3\n"), InputError);
+  EXPECT_THROW(read(one_way + "[models]\nformulation = \"C\"\n"), InputError);
+  EXPECT_THROW(read(one_way + "[parameters]\ncoarse_grain = -1\n"), InputError);
+  EXPECT_THROW(read("[coupling]\nreaction = \"two_way\"\n"), InputError);  // no smoothing length
+}
+
+TEST(Models, NoneIsNothing) {
+  EXPECT_TRUE(Models::none().needs().empty());
+  EXPECT_FALSE(Models::none().porosity());
+}
