@@ -52,7 +52,7 @@ std::unique_ptr<Time> openTime(argList const& args, double end_time_s) {
   controls.set("endTime", end_time_s);
   controls.set("writeControl", "none");
   controls.set("runTimeModifiable", false);
-  controls.add("startTime", 0.0);
+  if (!controls.found("startTime")) controls.add("startTime", 0.0);
   return std::make_unique<Time>(controls, args.rootPath(), args.caseName(), "system", "constant",
                                 controls.found("functions"));
 }

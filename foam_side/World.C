@@ -1,8 +1,11 @@
 #include "World.H"
 
+#include <unistd.h>
+
 #include <cfenv>
 #include <csignal>
 #include <cstdlib>
+#include <cstring>
 
 #include "PstreamGlobals.H"
 #include "UPstream.H"
@@ -21,6 +24,24 @@ World& world() {
   return instance;
 }
 
+// OpenFOAM's libraries read their data folder while they are loaded, before main(). Where the user
+// names none, the program starts itself again with Debian's, before any library has run.
+void nameDataFolder(int, char** argv, char** environment) {
+  constexpr char folder[] = "WM_PROJECT_DIR=/usr/share/openfoam";
+  constexpr std::size_t name_length = sizeof("WM_PROJECT_DIR=") - 1;
+  static char const* longer[8192];
+  std::size_t count = 0;
+  for (; environment[count]; ++count) {
+    if (std::strncmp(environment[count], folder, name_length) == 0 || count > 8000) return;
+    longer[count] = environment[count];
+  }
+  longer[count] = folder;
+  execve("/proc/self/exe", argv, const_cast<char**>(longer));
+}
+
+[[gnu::section(".preinit_array"), gnu::used]] void (*const beforeLibraries)(int, char**, char**) =
+    nameDataFolder;
+
 void onFloatingPointError(int) {
   std::signal(SIGFPE, SIG_DFL);
   failWorld("fluid: floating-point exception (division by zero or NaN); see log.fluid");
@@ -30,7 +51,6 @@ void onFloatingPointError(int) {
 
 void enterWorld(MPI_Comm comm, FailureRoute fail) {
   world() = {comm, std::move(fail)};
-  setenv("WM_PROJECT_DIR", "/usr/share/openfoam", /*overwrite=*/0);
   setenv("FOAM_SIGFPE", "false", /*overwrite=*/1);  // ours, below
   std::signal(SIGFPE, onFloatingPointError);
   Foam::FatalError.throwExceptions();

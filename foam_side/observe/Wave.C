@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "LargestBody.H"
+
 namespace slidewave::foam {
 
 using namespace Foam;
@@ -36,44 +38,15 @@ double percentile99(WaterView const& view, std::vector<char> const& chosen, doub
 
 }  // namespace
 
-std::vector<char> connectedWater(WaterView const& view, double threshold, double level_m) {
-  MeshGraph const& graph = view.graph;
-  auto const wet = [&](int cell) { return view.water[cell] >= threshold; };
-  std::vector<std::vector<int>> neighbours(graph.cells());
-  for (auto const& link : graph.links) {
-    if (!wet(link.a) || !wet(link.b)) continue;
-    neighbours[link.a].push_back(link.b);
-    neighbours[link.b].push_back(link.a);
+std::vector<char> lake(WaterView const& view, double threshold) {
+  int const cells = view.graph.cells();
+  std::vector<char> wet(cells);
+  Eigen::MatrixXd water_m3(1, cells);
+  for (int cell = 0; cell < cells; ++cell) {
+    wet[cell] = view.water[cell] >= threshold;
+    water_m3(0, cell) = view.water[cell] * view.mesh.V()[cell];
   }
-  std::vector<char> reached(graph.cells(), 0);
-  std::vector<int> front;
-  auto const reach = [&](int cell) {
-    if (reached[cell] || !wet(cell)) return;
-    reached[cell] = 1;
-    front.push_back(cell);
-  };
-  for (int cell = 0; cell < graph.cells(); ++cell) {
-    if (view.mesh.C()[cell].z() < level_m) reach(cell);
-  }
-  // Flood this rank's part, then hand the result across borders, until nobody gains a cell.
-  bool grew = true;
-  while (grew) {
-    while (!front.empty()) {
-      int const cell = front.back();
-      front.pop_back();
-      for (int const next : neighbours[cell]) reach(next);
-    }
-    Eigen::MatrixXd mine(1, graph.cells());
-    for (int cell = 0; cell < graph.cells(); ++cell) mine(0, cell) = reached[cell];
-    auto const theirs = graph.across(mine);
-    for (std::size_t i = 0; i < theirs.size(); ++i) {
-      for (long face = 0; face < theirs[i].cols(); ++face) {
-        if (theirs[i](0, face) > 0) reach(graph.borders[i].cells[face]);
-      }
-    }
-    grew = returnReduce(!front.empty(), orOp<bool>());
-  }
-  return reached;
+  return largestBody(view.graph, wet, water_m3);
 }
 
 Wave::Wave(Scene const& scene, std::string name)
@@ -85,7 +58,7 @@ std::vector<Quantity> Wave::observe(WaterView const& view) const {
   double height[2], lowest = GREAT, height99 = noValue;
   double const thresholds[] = {0.5, 0.1};
   for (int i = 0; i < 2; ++i) {
-    std::vector<char> chosen = connectedWater(view, thresholds[i], level_m_);
+    std::vector<char> chosen = lake(view, thresholds[i]);
     double top = -GREAT;
     for (label cell = 0; cell < view.mesh.nCells(); ++cell) {
       chosen[cell] = chosen[cell] && view.mesh.C()[cell].x() > bank_x_m_;
