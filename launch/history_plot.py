@@ -8,6 +8,7 @@ from matplotlib.figure import Figure
 from launch.results import BOOKKEEPING, plain_name, unit_of
 
 MOST_PANELS = 12
+LAST = ("defect", "given", "received", "ledger", "momentum", "steps", "solid_spread")  # bookkeeping
 
 
 def figure(history: dict[str, np.ndarray], targets: list[dict], first: list[str]) -> Figure | None:
@@ -16,7 +17,9 @@ def figure(history: dict[str, np.ndarray], targets: list[dict], first: list[str]
         return None
     named = [t["column"] for t in targets] + first
     columns = [c for c in dict.fromkeys(named + list(history)) if c in history and c not in BOOKKEEPING]
-    columns = [c for c in columns if c in named or _varies(history[c])][:MOST_PANELS]
+    columns = [c for c in columns if c in named or _varies(history[c])]
+    columns.sort(key=lambda c: c not in named and any(word in c for word in LAST))  # stable
+    columns = columns[:MOST_PANELS]
     if not columns:
         return None
     across = min(3, len(columns))

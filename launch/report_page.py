@@ -50,7 +50,8 @@ def _head(summary: dict) -> str:
     shown = ", ".join(f"{k} {v}" for k, v in ranks.items()) if isinstance(ranks, dict) else str(ranks)
     facts = [f"case {summary.get('case', '')}", f"variant {summary.get('variant') or '-'}",
              f"version {summary.get('version', '')}", f"ranks: {shown}"]
-    facts += [f"{summary[k]} {k}" for k in ("particles", "cells", "windows") if k in summary]
+    facts += [f"{summary[k]:.0f} {k}" for k in ("particles", "cells", "windows")
+              if isinstance(summary.get(k), (int, float))]
     reason = f"<p class='miss'>{html.escape(str(summary['reason']))}</p>" if summary.get("reason") else ""
     line = html.escape(" · ".join(facts))
     return f"<p class='grey'>{line} · <b class='{kind}'>{html.escape(status)}</b></p>{reason}"

@@ -75,9 +75,9 @@ def _layers(frames: list[section_data.Frame], plane: section_data.Plane) -> dict
 def _grid(frames: list[section_data.Frame], box: np.ndarray, plane: section_data.Plane) -> Figure:
     size = box[1] - box[0]
     aspect = float(size[plane.up] / size[plane.along])
-    columns = 2 if aspect < 1.0 else min(4, len(frames)) if aspect < 2.5 else len(frames)
-    columns = min(columns, len(frames))
-    rows = -(-len(frames) // columns)
+    most = min(2 if aspect < 1.0 else 4 if aspect < 2.5 else FRAMES, len(frames))
+    rows = -(-len(frames) // most)
+    columns = -(-len(frames) // rows)
     width = 11.0
     drawing = Figure(figsize=(width, min(rows * (width / columns * aspect + 0.45), 18.0)),
                      layout="constrained")

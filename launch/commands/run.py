@@ -68,6 +68,9 @@ def main(options: argparse.Namespace) -> int:
     if options.dry_run:
         return 0
     status = process.run(ready)
-    report.finish(directory, {"prepare_s": ready.prepare_s, "total_s": clock.elapsed_s()}, status)
+    extra = {"prepare_s": ready.prepare_s, "total_s": clock.elapsed_s()}
+    if ready.facts.mesh is not None:
+        extra["cells"] = ready.facts.mesh.cells
+    report.finish(directory, extra, status)
     report.build(directory)
     return report.conclude(directory, status, clock)
