@@ -25,11 +25,9 @@ def suggested(amount: int, per_rank: int) -> int:
 
 def mpirun_words(directory: Path, fluid: int, dem: int) -> list[str]:
     """The plain mpirun line: `fluid` ranks of slidewave_foam and `dem` ranks of slidewave_dem."""
-    words = ["mpirun", "--bind-to", "none", "--mca", "mpi_yield_when_idle", "1"]
+    words = ["mpirun", "--bind-to", "none", "--mca", "mpi_yield_when_idle", "1", "--oversubscribe"]
     if os.geteuid() == 0:
         words.append("--allow-run-as-root")
-    if fluid + dem > cores():
-        words.append("--oversubscribe")
     sides = []
     if fluid:
         sides.append(["-np", str(fluid), str(program("slidewave_foam")), str(directory)])
