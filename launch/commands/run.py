@@ -61,6 +61,7 @@ def main(options: argparse.Namespace) -> int:
     for line in preflight.lines([f for f in findings if f.verdict in ("bad", "warn")]):
         progress.say(line)
     if any(f.bad for f in findings) and not options.force:
+        place.withdraw()
         raise RunError("the pre-flight check refuses this scene (--force runs it all the same); "
                        "./slidewave check shows every number")
     progress.say(f"prepared in {ready.prepare_s:.1f} s")
