@@ -9,7 +9,7 @@ class LAMMPS;
 namespace slidewave::dem {
 
 /// Makes our fix styles and contact laws known. Call right after the LAMMPS constructor; `clear`
-/// forgets the fixes.
+/// forgets the fixes. Also makes LIGGGHTS' error messages dependable.
 void register_styles(LAMMPS_NS::LAMMPS& lmp);
 
 /// False once a script said `clear`.

@@ -4,6 +4,7 @@
 #include <mpi.h>
 
 #include <cmath>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -41,7 +42,31 @@ class SmallScene {
            "neigh_modify delay 0"});
   }
 
-  /// Linear contacts, kn and kt in N/m, no damping.
+  /// Contact laws as LIGGGHTS wants them: names first, constants last.
+  struct Law {
+    std::string names;
+    std::string constants;
+    /// From any order, e.g. "model linear kn 1e6 tangential coulomb ks 1e6 mu 0.5".
+    explicit Law(std::string const& text) {
+      std::istringstream words(text);
+      for (std::string key, value; words >> key >> value;) {
+        bool const name = key == "model" || key == "tangential" || key == "rolling_friction";
+        (name ? names : constants) += " " + key + " " + value;
+      }
+    }
+  };
+  void law(std::string const& text) {
+    Law const law(text);
+    lines(
+        {"atom_modify sort 50 0", "pair_style gran" + law.names + law.constants, "pair_coeff * *"});
+  }
+  /// A wall with a law of its own; `shape` e.g. "primitive type 1 zplane 0".
+  void wall(std::string const& name, std::string const& text, std::string const& shape) {
+    Law const law(text);
+    lines({"fix " + name + " all wall/gran" + law.names + " " + shape + law.constants});
+  }
+
+  /// Packaged linear contacts, kn and kt in N/m, no damping.
   void contacts(double kn, double kt, double friction) {
     auto const number = [](double value) { return " " + std::to_string(value); };
     lines({"fix kn all property/global kn peratomtypepair 1" + number(kn),
@@ -81,6 +106,19 @@ class SmallScene {
   }
   double x(int id, int axis) {
     return of_atom(id, [&](int i) { return lmp_->atom->x[i][axis]; });
+  }
+  void set_velocity(int id, std::string const& xyz) {
+    lines({"group moved id " + std::to_string(id), "velocity moved set " + xyz + " units box",
+           "group moved delete"});
+  }
+  void set_spin(int id, double x, double y, double z) {
+    for (int i = 0; i < lmp_->atom->nlocal; ++i) {
+      if (lmp_->atom->tag[i] == id) {
+        lmp_->atom->omega[i][0] = x;
+        lmp_->atom->omega[i][1] = y;
+        lmp_->atom->omega[i][2] = z;
+      }
+    }
   }
   double v(int id, int axis) {
     return of_atom(id, [&](int i) { return lmp_->atom->v[i][axis]; });

@@ -337,10 +337,28 @@ class Failures(Folder):
         self.write(CASE.replace("id = 1", "id = 100000"), SETUP)
         self.fails("observe.first.id", "100000", status=2)
 
-    def test_bad_contact_constant(self):
-        own = SETUP.replace("model hooke/stiffness tangential history\npair_coeff",
-                            "model linear kn -5\npair_coeff")
-        self.write(CASE, own)
+    def test_bad_contact_constants(self):
+        coulomb = "model linear tangential coulomb"
+        for law, words in (
+            ("model linear kn -5", "linear: kn is -5"),
+            ("model linear", "linear: kn is missing"),
+            ("model linear kn 1e6 damping 1.5", "damping is 1.5"),
+            (coulomb + " kn 1e6 mu 0.5", "coulomb: ks is missing"),
+            (coulomb + " kn 1e6 ks 1e6 mu -0.1", "mu is -0.1"),
+            (coulomb + " rolling_friction iwashita_oda kn 1e6 ks 1e6 mu 0.5 kr 10", "eta is missing"),
+            (coulomb + " rolling_friction jiang kn 1e6 ks 1e6 mu 0.5 shape 1", "crushing is missing"),
+            (coulomb + " kn 1e6 ks 1e6 mu 0.5 kr 10", "Unknown argument"),
+        ):
+            with self.subTest(law=law):
+                own = SETUP.replace("model hooke/stiffness tangential history\npair_coeff",
+                                    law + "\npair_coeff")
+                (self.dir / "plain").write_text(own + "timestep 1e-5\nrun 0\n")
+                done = subprocess.run([PROGRAM, "--script", "plain"], cwd=self.dir, timeout=60,
+                                      capture_output=True, text=True, check=False)
+                self.assertNotEqual(done.returncode, 0)
+                self.assertIn(words, done.stdout)
+        self.write(CASE, SETUP.replace("model hooke/stiffness tangential history\npair_coeff",
+                                       "model linear kn -5\npair_coeff"))
         self.fails("contact model linear: kn is -5")
 
 
