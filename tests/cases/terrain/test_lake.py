@@ -44,7 +44,8 @@ class LakeAtRest(unittest.TestCase):
             start = files.lake_fraction(made, section.lake_level)
             files.set_internal_field(run / "0" / "alpha.water", start)
             done = subprocess.run(["interFoam", "-case", str(run)], capture_output=True, text=True,
-                                  env=places.openfoam_environment(), timeout=110, check=False)
+                                  env=places.openfoam_environment(), timeout=60 + 20 * DURATION,
+                                  check=False)
             self.assertEqual(done.returncode, 0, done.stdout[-1000:] + done.stderr[-1000:])
             last = run / f"{DURATION:g}"
             water = read_field(last / "alpha.water", 1)[:, 0]
