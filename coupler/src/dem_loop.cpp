@@ -134,7 +134,7 @@ class DemLoop {
 int run(Session& session, ParticleEngine& engine) {
   try {
     Agreed const agreed = handshake(session.impl(), {{}, engine.features(), engine.bounds()});
-    watch_signals();
+    watch_signals();  // again: an engine may have taken them
     DemLoop(session.impl(), engine, agreed).run();
     session.leave();
     return 0;

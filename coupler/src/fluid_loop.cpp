@@ -221,7 +221,7 @@ int run(Session& session, FluidEngine& engine) {
   try {
     Agreed const agreed =
         handshake(session.impl(), {engine.samples(), engine.features(), engine.bounds()});
-    watch_signals();
+    watch_signals();  // again: an engine may have taken them
     FluidLoop(session.impl(), engine, agreed).run();
     session.leave();
     return 0;

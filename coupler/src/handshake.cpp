@@ -155,6 +155,9 @@ std::string describe(Agreed const& agreed) {
       }
     }
   }
+  if (!agreed.fluid_boxes.empty()) {
+    text += "\nper particle and window\n" + agreed.layout.text();
+  }
   return text;
 }
 

@@ -57,7 +57,7 @@ std::vector<Field> Layout::answered(Models const&) {
 }
 
 std::string Layout::text() const {
-  return fmt::format("to fluid {} B: {}\nto dem {} B: {}", 8 * doubles_per_particle(to_fluid),
+  return fmt::format("  to fluid {} B: {}\n  to dem {} B: {}", 8 * doubles_per_particle(to_fluid),
                      list(to_fluid), 8 * doubles_per_particle(to_dem), list(to_dem));
 }
 

@@ -106,11 +106,15 @@ void Outbox::judge_outside(Table const& particles, long window) {
   if (census_.outside == 0 || agreed_.models.outside == Outside::ignore) {
     return;
   }
+  double distance_m = map_.distance_m(particles["position"].col(first_outside));
+  for (Miss const& miss : misses_) {
+    if (miss.row == first_outside && miss.distance_m < nowhere_m) {
+      distance_m = miss.distance_m;  // from the nearest cell, where one was asked
+    }
+  }
   std::string const text = fmt::format(
-      "{} particle(s) outside the fluid mesh at window {}, the first at {}, {:.3g} m beyond the "
-      "fluid's box",
-      census_.outside, window, place_of(particles, first_outside),
-      map_.distance_m(particles["position"].col(first_outside)));
+      "{} particle(s) outside the fluid mesh at window {}, the first at {}, {:.3g} m beyond it",
+      census_.outside, window, place_of(particles, first_outside), distance_m);
   if (agreed_.models.outside == Outside::error) {
     session_.failure.fail(
         text + "; enlarge the mesh, or set coupling.outside to \"warn\" or \"ignore\"", 1);

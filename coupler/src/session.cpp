@@ -3,6 +3,7 @@
 #include <thread>
 
 #include "session_impl.hpp"
+#include "signals.hpp"
 
 namespace slidewave {
 namespace {
@@ -55,6 +56,7 @@ Session::Impl::Impl(Role as, std::filesystem::path const& directory)
       agreement(world, waiter, as) {
   failure.rename(fmt::format("{} rank {} of {}", name_of(role), world.rank, world.size));
   waiter.speaks(is_root());
+  watch_signals();  // a wish to stop during set-up is kept for the first window
 }
 
 Session::Impl::~Impl() {
