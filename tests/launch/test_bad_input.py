@@ -57,6 +57,8 @@ BROKEN = {
                               ["boundary", "periodic in y", "the mesh is not"]),
     "mesh does not cover": (SCRIPT, "0.001 0.001 ${start", "0.001 0.031 ${start",
                             ["coupling.outside", "1 of 1 particles", "extend the mesh"]),
+    "mesh does not cover, low side": (SCRIPT, "0.001 0.001 ${start", "0.001 -0.031 ${start",
+                                      ["coupling.outside", "(0.001 -0.031 0.065)"]),
     "both sides none": (TOML, '[dem]\n', '[fluid]\nengine = "none"\n[dem]\nengine = "none"\n', ["empty"]),
 }
 
