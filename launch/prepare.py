@@ -71,7 +71,7 @@ def prepare(case: Case, directory: Path, ranks_fluid: int | None = None,
         _decompose(fluid, directory, known.mesh, fluid_ranks)
         (fluid / "case.foam").touch()
     else:
-        fluid_ranks = 0 if case.get("fluid.engine") == "none" else ranks_fluid or 1
+        fluid_ranks = 0
     dem_ranks = ranks_dem or ranks.suggested(known.particles or 0, ranks.PARTICLES_A_RANK) if dem else 0
     write_case(case, directory, fluid_ranks, dem_ranks)
     return Prepared(directory, known, fluid_ranks, dem_ranks, time.monotonic() - start)

@@ -40,7 +40,6 @@ KEYS: dict[str, Key] = {
                             choices=("error", "warn", "ignore")),
     "coupling.smoothing_length": Key("number", "length of the void-fraction kernel; default "
                                      "max(1.5 D_max, 1.5 cell size)", "m", above=0),
-    "checkpoint.windows": Key("whole", "windows between two checkpoints, 0 for none", least=0),
     "models.drag": Key("text", "voidage function of the drag law", choices=("di_felice", "none")),
     "models.drag_coefficient": Key("text", "drag coefficient of one sphere",
                                    choices=("brown_lawler",)),
@@ -48,7 +47,7 @@ KEYS: dict[str, Key] = {
     "models.pressure_gradient": Key("flag", "pressure-gradient force (buoyancy) on the particles"),
     "physics.gravity": Key("vector", "acceleration of gravity", "m/s2", required=True),
     "fluid.engine": Key("text", "fluid side; none: a dry scene, no fluid program is started",
-                        choices=("openfoam", "none", "uniform_flow")),
+                        choices=("openfoam", "none")),
     "dem.engine": Key("text", "particle side; none: fluid alone, no particle program is started",
                       choices=("liggghts", "none")),
     "dem.script": Key("text", "LIGGGHTS script that sets the particles up"),

@@ -20,7 +20,7 @@ BROKEN = {
                        ["coupling.reaction", "twoway", "did you mean 'two_way'"]),
     "missing key": (TOML, "window = 5e-4 ", "# ", ["coupling.window", "missing", "[s]"]),
     "not toml": (TOML, "[coupling]", "[coupling", ["case.toml", "line 11"]),
-    "table as value": (TOML, "[case]\n", "checkpoint = 3\n\n[case]\n", ["checkpoint", "3", "[checkpoint]"]),
+    "table as value": (TOML, "[case]\n", "models = 3\n\n[case]\n", ["models", "3", "[models]"]),
     "no such variant": (TOML, 'variant = "two_way"', 'variant = "two_wya"',
                         ["two_wya", "did you mean 'two_way'"]),
     "bad variant not chosen": (TOML, "parameters.dem_dt = 2.2e-3", "parameters.dem_dt = -1",
@@ -58,7 +58,7 @@ BROKEN = {
     "mesh does not cover": (SCRIPT, "0.001 0.001 ${start", "0.001 0.031 ${start",
                             ["coupling.outside", "1 of 1 particles", "extend the mesh"]),
     "mesh does not cover, low side": (SCRIPT, "0.001 0.001 ${start", "0.001 -0.031 ${start",
-                                      ["coupling.outside", "(0.001 -0.031 0.065)"]),
+                                      ["coupling.outside", "(0.001 -0.031 0.04)"]),
     "both sides none": (TOML, '[dem]\n', '[fluid]\nengine = "none"\n[dem]\nengine = "none"\n', ["empty"]),
 }
 
