@@ -1,8 +1,6 @@
 // The first exchange: version, scene, facts, fields. Whatever differs is refused before a window.
 #pragma once
 
-#include <nlohmann/json.hpp>
-
 #include "layout.hpp"
 #include "session_impl.hpp"
 

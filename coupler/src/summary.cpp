@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 namespace slidewave {
@@ -20,6 +21,15 @@ bool ends_with(std::string const& text, std::string const& end) {
 /// NaN is not JSON; null says that a number is missing.
 Json number(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+/// Means over the ranks of a side [s].
+Json timings(double const* seconds, int ranks) {
+  Json json;
+  for (int k = 0; k < Profile::phases; ++k) {
+    json[Profile::names[k]] = seconds[k] / std::max(1, ranks);
+  }
+  return json;
 }
 
 void note_extreme(std::map<std::string, double>& extremes, Quantity const& column, bool lowest) {
@@ -79,14 +89,6 @@ void Summary::add(Window const& window, std::vector<Quantity> const& columns, De
       note_extreme(budgets_, {name + "_max", column.value}, false);
     }
   }
-}
-
-Json Summary::timings(double const* seconds, int ranks) const {
-  Json json;
-  for (int k = 0; k < Profile::phases; ++k) {
-    json[Profile::names[k]] = seconds[k] / std::max(1, ranks);
-  }
-  return json;
 }
 
 void Summary::write(std::string const& status) const {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "handshake.hpp"
 #include "sums.hpp"
@@ -19,8 +18,6 @@ class Summary {
   void write(std::string const& status) const;
 
  private:
-  nlohmann::json timings(double const* seconds, int ranks) const;
-
   Session::Impl& session_;
   Agreed const& agreed_;
   long windows_ = 0;
