@@ -60,8 +60,9 @@ KEYS: dict[str, Key] = {
     "parameters.coarse_grain": Key("number", "particle diameter over grain diameter, D/d", "-", least=1),
     "parameters.dem_dt": Key("number", "particle step wanted; the window holds a whole number",
                              "s", above=0),
-    "observe.*.type": Key("text", "which observer of an engine", required=True),
-    "observe.*.*": Key("any", "setting of the observer"),
+    "observe.*.type": Key("text", "which observer of an engine", required=True,
+                          choices=("wave", "gauge", "slide", "particle")),
+    "observe.*.*": Key("number", "setting of the observer (table below)"),
     "geometry.**": Key("any", "profiles and sizes from which meshes are made"),
     "target.name": Key("text", "what is compared", required=True),
     "target.column": Key("text", "column of history.csv", required=True),
@@ -77,7 +78,13 @@ KEYS: dict[str, Key] = {
     "target.source": Key("text", "where the reference comes from", required=True),
 }
 
-RUN_KEYS = ("variant", "ranks_fluid", "ranks_dem", "version", "source")
+# Settings of each type of observer: those it needs, those it may have.
+OBSERVERS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
+    "wave": (("level", "bank_x"), ()),
+    "gauge": (("x",), ("y",)),
+    "slide": ((), ()),
+    "particle": (("id",), ()),
+}
 
 
 def find_key(dotted: str) -> Key | None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from launch import schema
-from launch.errors import InputError
+from launch.errors import InputError, did_you_mean
 
 TABLES = sorted({key.partition(".")[0] for key in schema.KEYS} - {"target"})
 
@@ -35,8 +35,19 @@ def check_keys(file: Path, data: dict) -> None:
             unit = f" [{known.unit}]" if known.unit else ""
             raise InputError(file, key, None, f"missing: {known.meaning}{unit}")
     for name, observer in data.get("observe", {}).items():
-        if not isinstance(observer, dict) or "type" not in observer:
-            raise InputError(file, f"observe.{name}.type", None, "missing: which observer")
+        _check_observer(file, f"observe.{name}", observer)
+
+
+def _check_observer(file: Path, where: str, observer: object) -> None:
+    if not isinstance(observer, dict) or "type" not in observer:
+        raise InputError(file, f"{where}.type", None, f"missing: one of {', '.join(schema.OBSERVERS)}")
+    needed, optional = schema.OBSERVERS[observer["type"]]
+    for key in observer.keys() - {"type", *needed, *optional}:
+        guess = did_you_mean(key, needed + optional) or f"known: {', '.join(needed + optional) or 'none'}"
+        raise InputError(file, f"{where}.{key}", observer[key], f"unknown key; {guess}")
+    for key in needed:
+        if key not in observer:
+            raise InputError(file, f"{where}.{key}", None, f"missing: {observer['type']} needs it")
 
 
 def _check_value(file: Path, key: str, known: schema.Key, value: object) -> None:

@@ -31,6 +31,7 @@ class Hints(unittest.TestCase):
 
     def test_patterns(self) -> None:
         self.assertEqual(schema.find_key("observe.wave.type").kind, "text")
+        self.assertEqual(schema.find_key("observe.wave.level").kind, "number")
         self.assertEqual(schema.find_key("geometry.ground.points").kind, "any")
         self.assertEqual(schema.find_key("parameters.anything").kind, "scalar")
         self.assertEqual(schema.find_key("parameters.dem_dt").unit, "s")

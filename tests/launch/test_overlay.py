@@ -55,9 +55,10 @@ class Loading(ScratchCase):
         self.assertEqual(stiff.get("target")[0]["required"], True)
 
     def test_names_stand_for_parameters(self) -> None:
-        self.change("case.toml", "id = 1", "id = 1\nheight = \"$start_height\"")
-        case = cases.load(str(self.case), None, ["parameters.start_height=0.04"])
-        self.assertEqual(case.get("observe.sphere.height"), 0.04)
+        self.change("case.toml", "[observe.sphere]",
+                    '[observe.level]\ntype = "gauge"\nx = "$start_height"\n\n[observe.sphere]')
+        case = cases.load(str(self.case), "one_way", ["parameters.start_height=0.03"])
+        self.assertEqual(case.get("observe.level.x"), 0.03)
         self.assertIn("start_height", case.used)
 
 
