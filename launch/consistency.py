@@ -37,6 +37,8 @@ def _check_files(case: Case) -> None:
             raise case.error("dem.script", f"no such file below {case.directory}")
     elif case.get("fluid.engine") == "none":
         raise case.error("dem.engine", "is none on both sides: the scene is empty")
+    if case.get("fluid.engine") == "uniform_flow":
+        _check_uniform_flow(case)
     if case.get("fluid.engine") != "openfoam":
         return
     for name in FLUID_FILES:
@@ -47,6 +49,20 @@ def _check_files(case: Case) -> None:
     if not mesh and case.get("geometry") is None:
         raise case.error("fluid.engine", "has no mesh: add fluid/system/blockMeshDict, "
                                          "fluid/constant/polyMesh or a [geometry] table")
+
+
+def _check_uniform_flow(case: Case) -> None:
+    if case.get("coupling.reaction") != "one_way":
+        raise case.error("coupling.reaction", "a prescribed flow (fluid.engine = \"uniform_flow\") takes no "
+                                              "momentum from particles; write reaction = \"one_way\"")
+    if case.get("dem.engine") == "none":
+        raise case.error("dem.engine", "is none: a prescribed flow alone has nothing to work out")
+    needed = ["density", "viscosity"]
+    if case.get("uniform_flow.amplitude") is not None:
+        needed.append("period")
+    for name in needed:
+        if case.get(f"uniform_flow.{name}") is None:
+            raise case.error(f"uniform_flow.{name}", "missing: a prescribed flow needs it")
 
 
 def _check_times(case: Case) -> None:

@@ -23,13 +23,14 @@ simpleCoeffs {{ n ({n[0]} {n[1]} {n[2]}); delta 0.001; }}
 
 @dataclass
 class Prepared:
-    """A complete run directory, its facts, the ranks of both sides and the time it took [s]."""
+    """A complete run directory, its facts, the ranks of both sides, the time it took [s], fluid.engine."""
 
     directory: Path
     facts: facts.Facts
     ranks_fluid: int
     ranks_dem: int
     prepare_s: float
+    fluid_engine: str = "openfoam"
 
 
 def terrain_hook(case: Case):
@@ -70,11 +71,12 @@ def prepare(case: Case, directory: Path, ranks_fluid: int | None = None,
         fluid_ranks = ranks_fluid or ranks.suggested(known.mesh.cells, ranks.CELLS_A_RANK)
         _decompose(fluid, directory, known.mesh, fluid_ranks)
         (fluid / "case.foam").touch()
-    else:
-        fluid_ranks = 0
+    else:  # a prescribed flow is one rank's work
+        fluid_ranks = 0 if case.get("fluid.engine") == "none" else ranks_fluid or 1
     dem_ranks = ranks_dem or ranks.suggested(known.particles or 0, ranks.PARTICLES_A_RANK) if dem else 0
     write_case(case, directory, fluid_ranks, dem_ranks)
-    return Prepared(directory, known, fluid_ranks, dem_ranks, time.monotonic() - start)
+    return Prepared(directory, known, fluid_ranks, dem_ranks, time.monotonic() - start,
+                    case.get("fluid.engine"))
 
 
 def write_case(case: Case, directory: Path, ranks_fluid: int, ranks_dem: int) -> None:

@@ -23,19 +23,25 @@ def suggested(amount: int, per_rank: int) -> int:
     return max(1, min(cores(), amount // per_rank))
 
 
-def mpirun_words(directory: Path, fluid: int, dem: int) -> list[str]:
-    """The plain mpirun line: `fluid` ranks of slidewave_foam and `dem` ranks of slidewave_dem."""
+FLUID_PROGRAMS = {"openfoam": "slidewave_foam", "uniform_flow": "slidewave_uniform"}
+
+
+def sides(directory: Path, fluid: int, dem: int, engine: str) -> list[tuple[int, list[str]]]:
+    """Ranks and command of each side that runs. `engine`: fluid.engine of the case."""
+    programs = [(fluid, FLUID_PROGRAMS.get(engine, "")), (dem, "slidewave_dem")]
+    return [(ranks, [str(program(name)), str(directory)]) for ranks, name in programs if ranks]
+
+
+def mpirun_words(directory: Path, fluid: int, dem: int, engine: str) -> list[str]:
+    """The plain mpirun line: `fluid` ranks of the fluid program and `dem` ranks of slidewave_dem."""
     words = ["mpirun", "--bind-to", "none", "--mca", "mpi_yield_when_idle", "1", "--oversubscribe"]
     if os.geteuid() == 0:
         words.append("--allow-run-as-root")
-    sides = []
-    if fluid:
-        sides.append(["-np", str(fluid), str(program("slidewave_foam")), str(directory)])
-    if dem:
-        sides.append(["-np", str(dem), str(program("slidewave_dem")), str(directory)])
-    return words + sides[0] + ([":", *sides[1]] if len(sides) > 1 else [])
+    for number, (ranks, command) in enumerate(sides(directory, fluid, dem, engine)):
+        words += ([":"] if number else []) + ["-np", str(ranks), *command]
+    return words
 
 
-def mpirun_line(directory: Path, fluid: int, dem: int) -> str:
+def mpirun_line(directory: Path, fluid: int, dem: int, engine: str) -> str:
     """The same line for a shell."""
-    return shlex.join(mpirun_words(directory, fluid, dem))
+    return shlex.join(mpirun_words(directory, fluid, dem, engine))

@@ -32,6 +32,9 @@ def collect(case: Case, ready: Prepared) -> dict[str, object]:
         numbers |= _particles(case, ready.facts)
     if ready.facts.mesh is not None:
         numbers |= _fluid(case, ready)
+    if case.get("fluid.engine") == "uniform_flow":
+        numbers |= {"fluid_density_kg_m3": case.get("uniform_flow.density"),
+                    "fluid_viscosity_Pa_s": case.get("uniform_flow.viscosity")}
     return {k: v for k, v in numbers.items() if v is not None}
 
 

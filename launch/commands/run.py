@@ -65,7 +65,8 @@ def main(options: argparse.Namespace) -> int:
         raise RunError("the pre-flight check refuses this scene (--force runs it all the same); "
                        "./slidewave check shows every number")
     progress.say(f"prepared in {ready.prepare_s:.1f} s")
-    progress.say(ranks.mpirun_line(directory, ready.ranks_fluid, ready.ranks_dem))
+    progress.say(ranks.mpirun_line(directory, ready.ranks_fluid, ready.ranks_dem,
+                                   ready.fluid_engine))
     if options.dry_run:
         return 0
     status = process.run(ready)

@@ -63,6 +63,11 @@ BROKEN = {
                             ["coupling.outside", "1 of 1 particles", "extend the mesh"]),
     "mesh does not cover, low side": (SCRIPT, "0.001 0.001 ${start", "0.001 -0.031 ${start",
                                       ["coupling.outside", "(0.001 -0.031 0.04)"]),
+    "prescribed flow, two-way": (TOML, '[dem]\n', '[fluid]\nengine = "uniform_flow"\n[dem]\n',
+                                 ["coupling.reaction", "two_way", "takes no momentum", "one_way"]),
+    "prescribed flow without density": (TOML, 'reaction = "two_way"\nsmoothing_length = 6e-3   # three diameters\n',
+                                        'reaction = "one_way"\n[fluid]\nengine = "uniform_flow"\n',
+                                        ["uniform_flow.density", "missing"]),
     "both sides none": (TOML, '[dem]\n', '[fluid]\nengine = "none"\n[dem]\nengine = "none"\n', ["empty"]),
 }
 

@@ -249,6 +249,29 @@ def air(options):
     assert max(row["ledger_in_air_kg_m_s"] for row in water.rows()) == 0
 
 
+def uniform_flow(options):
+    """The prescribed fluid: any number of ranks, its own columns; what it cannot do is refused."""
+    program = (options.bin / "../bin/slidewave_uniform").resolve()
+    text = CASE.format(**{**DEFAULTS, "reaction": "one_way", "end_time": 0.05})
+    flow = """[uniform_flow]
+density = 1000.0
+viscosity = 0.001
+amplitude = [0.3, 0.0, 0.0]
+period = 0.2
+"""
+
+    def run(name, more="", fluid=1, case=text):
+        return Run(options, name, fluid, 2, case=case + flow + more, fluid_program=program)
+
+    rows = run("uniform", fluid=2).must_pass().rows()
+    assert abs(rows[-1]["flow_vx_m_s"] - 0.3) < 1e-9 and len(rows) == 6, rows
+    run("uniform_strain", "gradient_u = [2, 0, 0]\ngradient_w = [0, 0, -2]").must_pass()
+    run("uniform_squeezed", "gradient_u = [2, 0, 0]").must_fail(2, "uniform_flow.gradient_u", "trace")
+    run("uniform_twisted", "gradient_u = [0, 1, 0]\ngradient_v = [0, 0, 1]").must_fail(2, "symmetric")
+    run("uniform_two_way", case=text.replace("one_way", "two_way")).must_fail(
+        2, "coupling.reaction", "takes no momentum")
+
+
 def missing_role(options):
     """One program alone is refused at once, and the missing one is named."""
     Run(options, "no_dem", dem=0).must_fail(2, "role 'dem' is missing", "slidewave_dem")
