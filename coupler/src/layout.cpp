@@ -52,8 +52,16 @@ std::vector<Field> Layout::gathered(Models const& models, bool has_partner) {
   return fields;
 }
 
-std::vector<Field> Layout::answered(Models const&) {
-  return {{"drag", "kg/s", 1}, {"fluid_velocity", "m/s", 3}, {"force", "N", 3}, {"memory", "-", 4}};
+std::vector<Field> Layout::answered(Models const& models) {
+  std::vector<Field> fields = {{"memory", "-", 4}};
+  if (models.drag) {
+    fields.push_back({"drag", "kg/s", 1});
+    fields.push_back({"fluid_velocity", "m/s", 3});
+  }
+  if (models.pressure_gradient) {
+    fields.push_back({"force", "N", 3});
+  }
+  return fields;
 }
 
 std::string Layout::text() const {

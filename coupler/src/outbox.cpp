@@ -160,8 +160,8 @@ void Outbox::expect_answers() {
 void Outbox::receive(Table& answers, long window) {
   Scope const scope(session_.profile, Phase::exchange);
   answers.resize(static_cast<long>(owner_.size()));
-  for (char const* name : {"drag", "fluid_velocity", "force", "memory"}) {
-    answers[name].setZero();
+  for (Field const& field : Layout::answered(agreed_.models)) {
+    answers[field.name].setZero();
   }
   auto memory = answers["memory"];
   if (agreed_.models.ledger()) {

@@ -43,7 +43,7 @@ struct FakeDem : ParticleEngine {
   void apply(Table const& answers) override {
     impulse.setZero();
     received.setZero();
-    for (Field const& field : now.fields()) now[field.name] = answers[field.name];
+    for (Field const& field : answers.fields()) now[field.name] = answers[field.name];
   }
   void advance(Window const& window) override {
     break_down(session, "dem", window.index);

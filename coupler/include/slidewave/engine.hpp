@@ -61,7 +61,8 @@ class Engine {
 class FluidEngine : public Engine {
  public:
   /// Which fields sample() can give, among: velocity, mean_velocity [m/s], density [kg/m3],
-  /// viscosity [Pa s], void_fraction, saturation [-], pressure_gradient [Pa/m] (with hydrostatics).
+  /// viscosity [Pa s], void_fraction, saturation [-], pressure_gradient [Pa/m] (with hydrostatics;
+  /// time mean over the last advance, so that particles receive the impulse that the fluid gave).
   virtual std::vector<Field> samples() const = 0;
   virtual Home locate(Vec3 const& position_m, int hint_cell) = 0;
   /// Keeps position and cell of this rank's particles; the kernel of deposit and sample until the
@@ -99,7 +100,8 @@ class ParticleEngine : public Engine {
   /// the column.
   virtual void gather(Table& particles) = 0;
   /// Same rows as the last gather: drag [kg/s], fluid_velocity [m/s], force [N] to act during the
-  /// coming advance through the exponential kick (physics/exponential_kick.hpp), and memory.
+  /// coming advance through the exponential kick (physics/exponential_kick.hpp), and memory; only
+  /// columns that an enabled model fills are there.
   virtual void apply(Table const& answers) = 0;
   virtual void advance(Window const& window) = 0;
   /// Drag impulse [kg m/s] that this rank's particles received since the last apply, summed over
