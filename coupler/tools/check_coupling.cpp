@@ -7,6 +7,7 @@
 #include "slidewave/physics/limits/added_mass_number.hpp"
 #include "slidewave/physics/limits/courant.hpp"
 #include "slidewave/physics/limits/drag_response.hpp"
+#include "slidewave/physics/limits/skeleton_wave.hpp"
 
 namespace slidewave::preflight {
 namespace {
@@ -106,6 +107,31 @@ void check_added_mass(Facts const& facts, Sheet& sheet) {
   }
 }
 
+void check_waves(Facts const& facts, Sheet& sheet) {
+  std::string const quantity = "kernels that a contact wave runs in a window";
+  if (!facts.flag("two_way", true) ||
+      !sheet.needs(facts, quantity,
+                   {"window_s", "smoothing_length_m", "stiffness_N_m", "diameter_min_m",
+                    "diameter_max_m", "particle_density_min_kg_m3", "fluid_density_kg_m3"})) {
+    return;
+  }
+  double const density = facts.number("particle_density_min_kg_m3");
+  double const fed = limits::added_mass_number(solid_fraction(facts), density,
+                                               facts.number("fluid_density_kg_m3"));
+  if (fed < limits::feeding_added_mass_number) {
+    sheet.left_out(quantity, "the fluid is too light to feed them");
+    return;
+  }
+  double const diameter = (facts.number("diameter_min_m") + facts.number("diameter_max_m")) / 2;
+  double const speed = limits::skeleton_wave_speed(diameter, density * sphere_volume(diameter),
+                                                   facts.number("stiffness_N_m"));
+  double const window = facts.number("window_s");
+  double const run = limits::wave_run(speed, window, facts.number("smoothing_length_m"));
+  sheet.at_most(quantity, run, limits::comfortable_wave_run, limits::largest_wave_run,
+                "added mass that acts a window late feeds faster waves",
+                {"coupling.window", window * limits::comfortable_wave_run / run});
+}
+
 void check_crossing(Facts const& facts, Sheet& sheet) {
   std::string const quantity = "cells crossed in a window";
   if (sheet.needs(facts, quantity, {"window_s", "speed_m_s", "cell_size_m"})) {
@@ -140,6 +166,7 @@ void check_coupling(Facts const& facts, Sheet& sheet) {
     check_stiffness(facts, sheet);
   }
   check_added_mass(facts, sheet);
+  check_waves(facts, sheet);
   check_crossing(facts, sheet);
 }
 

@@ -83,6 +83,7 @@ TEST(Preflight, EachBreakageIsFoundAndItsRemedyMendsIt) {
                  "window_s"},
         Breakage{"particle_density_min_kg_m3", 1100, "added-mass number rho_f phi/(rho_s eps)",
                  "particle_density_min_kg_m3"},
+        Breakage{"window_s", 0.06, "kernels that a contact wave runs in a window", "window_s"},
         Breakage{"fluid_dt_s", 0.5, "interface Courant number", "fluid_dt_s"},
         Breakage{"cell_size_m", 1, "cell size over largest diameter", "cell_size_m"},
         Breakage{"smoothing_length_m", 3, "smoothing length [m]", "smoothing_length_m"}}) {
