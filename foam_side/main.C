@@ -1,7 +1,7 @@
 // slidewave_foam DIR: the fluid side of a coupled run.
 #include <cstdio>
 #include <iostream>
-#include <stdexcept>
+#include <memory>
 
 #include "FoamEngine.H"
 #include "World.H"
@@ -21,18 +21,31 @@ void sendOutputTo(std::filesystem::path const& log, MPI_Comm comm) {
   if (rank != 0) std::freopen(log.c_str(), "a", stdout);
 }
 
+[[noreturn]] void fail(Session const& session, Foam::error const& problem, int status) {
+  Foam::Info << problem << Foam::endl;
+  session.fail("OpenFOAM: " + problem.message(), status);
+}
+
+// A case that OpenFOAM cannot open is bad input (2); what happens later is a failed run (1).
+std::unique_ptr<foam::FoamEngine> open(Session& session) {
+  try {
+    return std::make_unique<foam::FoamEngine>(session.scene(), session.comm());
+  } catch (Foam::error const& problem) {
+    fail(session, problem, 2);
+  }
+}
+
 int simulate(Session& session) {
   sendOutputTo(session.scene().directory() / "log.fluid", session.comm());
   foam::enterWorld(session.comm(), [&session](std::string const& reason, int status) {
     session.fail(reason, status);
   });
+  std::unique_ptr<foam::FoamEngine> const engine = open(session);
+  for (auto const& [name, value] : engine->facts()) session.state(name, value);
   try {
-    foam::FoamEngine engine(session.scene(), session.comm());
-    for (auto const& [name, value] : engine.facts()) session.state(name, value);
-    return run(session, engine);
+    return run(session, *engine);
   } catch (Foam::error const& problem) {
-    Foam::Info << problem << Foam::endl;
-    throw std::runtime_error("OpenFOAM: " + problem.message());
+    fail(session, problem, 1);
   }
 }
 

@@ -36,12 +36,14 @@ MatrixXd readParticles(std::filesystem::path const& file) {
 }
 
 // Particles of this rank and their cells: the rank that is nearest, ties to the lowest.
+// `hints` are the cells of the last call.
 std::vector<int> own(foam::FoamEngine& engine, Comm const& world, MatrixXd const& all,
-                     std::vector<int>& cells, double& farthest) {
+                     std::vector<int>& hints, std::vector<int>& cells, double& farthest) {
   std::vector<int> mine;
   cells.clear();
   for (long i = 0; i < all.cols(); ++i) {
-    Home const home = engine.locate(all.block<3, 1>(0, i), -1);
+    Home const home = engine.locate(all.block<3, 1>(0, i), hints[i]);
+    hints[i] = home.cell;
     struct {
       double distance;
       int rank;
@@ -80,11 +82,12 @@ int drive(std::filesystem::path const& directory) {
   }
   if (samples) std::fprintf(samples, "%s\n", header.c_str());
 
+  std::vector<int> hints(all.cols(), -1);
   for (long index = 0; index <= windows; ++index) {
     Window const window{index, std::max(0l, index - 1) * window_s, index * window_s, false, false};
     std::vector<int> cells;
     double farthest = 0;
-    std::vector<int> const mine = own(engine, world, all, cells, farthest);
+    std::vector<int> const mine = own(engine, world, all, hints, cells, farthest);
     MatrixXd const here = all(Eigen::all, mine);
     auto const column = [](MatrixXd const& m) {
       return Table::ConstColumn(m.data(), m.rows(), m.cols());
