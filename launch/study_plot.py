@@ -1,0 +1,59 @@
+"""study.svg: error against run time, a panel a quantity, the Pareto front labelled."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import matplotlib
+from matplotlib.figure import Figure
+
+from launch.study_analysis import front
+from launch.study_quantities import Quantity
+from launch.study_results import Row
+
+COLOURS = ("#1f5f99", "#b03a2e", "#2a7f3f", "#8e5bb5", "#b07d1f", "#444444")
+MARKERS = "osD^vP"
+SMALLEST = 1e-12  # an error of nothing is drawn here
+
+
+def write(path: Path, title: str, groups: dict[str, list[Row]], quantities: list[Quantity],
+          all_labels: bool = False) -> None:
+    """Draws every group in its own colour; `all_labels` names each point, not only the front's."""
+    across = min(2, len(quantities))
+    down = -(-len(quantities) // across)
+    drawing = Figure(figsize=(6.4 * across, 4.6 * down), layout="constrained")
+    drawing.suptitle(title, fontsize=10)
+    for number, quantity in enumerate(quantities):
+        axes = drawing.add_subplot(down, across, number + 1)
+        for index, (name, rows) in enumerate(groups.items()):
+            _draw(axes, rows, quantity.name, name, index, all_labels)
+        axes.set_xscale("log")
+        axes.set_yscale("log")
+        axes.set_xlabel("run time [s]", fontsize=8)
+        axes.set_ylabel(f"error of {quantity.name} [-]", fontsize=8)
+        axes.tick_params(labelsize=7, which="both")
+        axes.grid(alpha=0.3)
+        axes.margins(x=0.25, y=0.1)
+        if axes.get_legend_handles_labels()[0]:
+            axes.legend(fontsize=7, loc="lower left")
+    with matplotlib.rc_context({"svg.hashsalt": "slidewave", "svg.fonttype": "none"}):
+        drawing.savefig(path, format="svg", metadata={"Date": None})
+
+
+def _draw(axes, rows: list[Row], quantity: str, name: str, index: int, all_labels: bool) -> None:
+    """Points of one group, its front as a line, its labels beside it."""
+    taken = [row for row in rows if row.counts and quantity in row.errors]
+    if not taken:
+        return
+    colour = COLOURS[index % len(COLOURS)]
+    costs = [max(row.wall_s, 1e-3) for row in taken]
+    errors = [max(row.errors[quantity], SMALLEST) for row in taken]
+    spread = [row.wall_spread_s / 2 for row in taken]
+    axes.errorbar(costs, errors, xerr=spread if any(spread) else None, fmt=MARKERS[index % len(MARKERS)],
+                  color=colour, markersize=4, elinewidth=0.7, label=name or None)
+    best = front(costs, errors)
+    if not all_labels:
+        axes.plot([costs[i] for i in best], [errors[i] for i in best], color=colour, linewidth=1)
+    for i in range(len(taken)) if all_labels else best:
+        axes.annotate(taken[i].point.label, (costs[i], errors[i]), fontsize=6, color=colour,
+                      xytext=(4, 4), textcoords="offset points")
