@@ -20,6 +20,13 @@ HELP = "prepare a case, run it coupled, write the report"
 
 def arguments(parser: argparse.ArgumentParser) -> None:
     """Adds the options of `run`."""
+    case_arguments(parser)
+    parser.add_argument("--dry-run", action="store_true",
+                        help="prepare the directory completely, print the mpirun line, stop")
+
+
+def case_arguments(parser: argparse.ArgumentParser) -> None:
+    """Adds the options that say what is prepared, and where."""
     parser.add_argument("case", metavar="CASE", help="directory with a case.toml, or a name below cases/")
     parser.add_argument("--variant", metavar="V", help="variant of the case (default: the case's own)")
     parser.add_argument("--set", metavar="KEY=VALUE", action="append", default=[], dest="settings",
@@ -30,8 +37,6 @@ def arguments(parser: argparse.ArgumentParser) -> None:
                         help="run directory (default runs/CASE-VARIANT; an older run is kept as .1, .2)")
     parser.add_argument("--overwrite", action="store_true", help="replace the run that DIR holds")
     parser.add_argument("--force", action="store_true", help="run although the pre-flight check says no")
-    parser.add_argument("--dry-run", action="store_true",
-                        help="prepare the directory completely, print the mpirun line, stop")
 
 
 def positive(text: str) -> int:
@@ -42,9 +47,9 @@ def positive(text: str) -> int:
     return value
 
 
-def main(options: argparse.Namespace) -> int:
-    """Runs the command; the exit status is that of the run, 1 where a required target is missed."""
-    clock = process.Clock()
+def make_ready(options: argparse.Namespace) -> prepare.Prepared:
+    """A complete run directory from the options of case_arguments(); prints the plain mpirun line.
+    RunError where the pre-flight check refuses the scene."""
     case = cases.load(options.case, options.variant, options.settings)
     prepare.check_input(case)
     place = run_directory.make(options.out, case.name, case.variant, options.overwrite)
@@ -67,6 +72,14 @@ def main(options: argparse.Namespace) -> int:
     progress.say(f"prepared in {ready.prepare_s:.1f} s")
     progress.say(ranks.mpirun_line(directory, ready.ranks_fluid, ready.ranks_dem,
                                    ready.fluid_engine))
+    return ready
+
+
+def main(options: argparse.Namespace) -> int:
+    """Runs the command; the exit status is that of the run, 1 where a required target is missed."""
+    clock = process.Clock()
+    ready = make_ready(options)
+    directory = ready.directory
     if options.dry_run:
         return 0
     status = process.run(ready)
