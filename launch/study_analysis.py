@@ -13,6 +13,7 @@ from launch.study_schedule import duration
 ORDERS = np.concatenate([np.arange(-6.0, -0.02, 0.05), np.arange(0.05, 6.01, 0.05)])
 LEAST_POINTS = 3
 NOTHING = 1e-14  # relative errors below this are round-off
+SAME = 1.02  # errors whose largest is below this times the smallest do not depend on the key
 
 
 def front(costs: list[float], errors: list[float]) -> list[int]:
@@ -33,12 +34,19 @@ def mark_front(rows: list[Row]) -> None:
 
 @dataclass(frozen=True)
 class Order:
-    """error ~ |h^order - h_ref^order| along one key; residual: rms of the natural logarithm."""
+    """error ~ |h^order - h_ref^order| along one key; residual: rms of the natural logarithm; ratio:
+    largest over smallest error."""
 
     key: str
     order: float
     residual: float
     points: int
+    ratio: float
+
+    def __str__(self) -> str:
+        if self.ratio < SAME:
+            return f"{self.key}: no effect on the error ({self.points} points)"
+        return f"{self.key}: order {self.order:.2f} ({self.points} points, rms {self.residual:.2g})"
 
 
 def fit_order(sizes: list[float], errors: list[float], finest: float | None = None) -> tuple[float, float]:
@@ -78,8 +86,9 @@ def orders(rows: list[Row], quantity: str) -> list[Order]:
             line = [] if reference else max(lines.values(), key=len)
         sizes = [row.point.number(key) for row in line]
         if len(line) >= LEAST_POINTS and len(set(sizes)) == len(sizes):
-            order, residual = fit_order(sizes, [row.errors[quantity] for row in line], base)
-            found.append(Order(key, order, residual, len(line)))
+            errors = [row.errors[quantity] for row in line]
+            ratio = max(errors) / min(errors)
+            found.append(Order(key, *fit_order(sizes, errors, base), len(line), ratio))
     return found
 
 
@@ -89,7 +98,7 @@ def sentence(rows: list[Row], wanted: float, name: str = "") -> str:
     taken = [row for row in rows if row.counts]
     if not taken:
         return f"{start}no run can be judged: none is complete besides the reference"
-    good = [row for row in taken if row.worst <= wanted]
+    good = [row for row in taken if row.worst <= wanted * (1 + 1e-9)]
     if good:
         row = min(good, key=lambda r: (r.wall_s, r.worst))
         return (f"{start}for an error of {100 * wanted:.3g} % use {row.point.label}, "

@@ -154,6 +154,5 @@ def _judge(plan: study_setup.Plan, rows: list[Row], options: argparse.Namespace)
     for name, members in groups.items():
         for quantity in plan.quantities:
             for found in study_analysis.orders(members, quantity.name):
-                say(f"order of {quantity.name} in {found.key}{' for ' + name if name else ''}: "
-                    f"{found.order:.2f} ({found.points} points, rms {found.residual:.2g})")
+                say(f"{name + ': ' if name else ''}{quantity.name}, {found}")
         say(study_analysis.sentence(members, options.error, name))
