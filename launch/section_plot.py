@@ -48,7 +48,7 @@ def _meshes(directory: Path) -> list[foam_mesh.Mesh]:
 def _box(meshes: list[foam_mesh.Mesh], series: list[tuple[float, Path]]) -> np.ndarray | None:
     clouds = [m.points for m in meshes]
     if not clouds:
-        clouds = [vtk_file.read_points(series[k][1]).positions for k in {0, len(series) - 1} if series]
+        clouds = [_spheres(vtk_file.read_points(series[k][1])) for k in {0, len(series) - 1} if series]
     clouds = [c for c in clouds if len(c)]
     if not clouds:
         return None
@@ -56,6 +56,12 @@ def _box(meshes: list[foam_mesh.Mesh], series: list[tuple[float, Path]]) -> np.n
                     np.max([c.max(axis=0) for c in clouds], axis=0)])
     margin = 0.0 if meshes else 0.05 * np.ptp(box, axis=0).max()
     return box + np.array([[-1.0], [1.0]]) * max(margin, 0.0)
+
+
+def _spheres(points: vtk_file.Points) -> np.ndarray:
+    """Lowest and highest corners of the particles, so that one alone has a size too."""
+    radius = np.reshape(points.data.get("radius", np.full(len(points.positions), 1e-3)), (-1, 1))
+    return np.concatenate([points.positions - radius, points.positions + radius])
 
 
 def _layers(frames: list[section_data.Frame], plane: section_data.Plane) -> dict[int, int]:

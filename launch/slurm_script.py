@@ -51,7 +51,7 @@ PYTHON=@PYTHON@
 LAUNCHER=@LAUNCHER@  # mpirun, or srun where Slurm brings PMIx
 MPIRUN=(mpirun --bind-to none --mca mpi_yield_when_idle 1)
 SRUN=(srun --mpi=pmix --ntasks=@TASKS@)
-WARNING_S=@WARNING@  # before the limit: longer than a window takes
+@WARNING_LINE@
 export WM_PROJECT_DIR=${WM_PROJECT_DIR:-/usr/share/openfoam}
 # -----------------------------------------------------------------------------------------------
 
@@ -97,6 +97,7 @@ exit "$status"
 """
 
 # PBS gives no warning itself.
+WARNING_LINE = "WARNING_S=@WARNING@  # before the limit: longer than a window takes\n"
 TIMER = """(sleep "$((@TIME@ - WARNING_S))" && kill -USR1 "$$") >/dev/null 2>&1 &
 timer=$!"""
 
@@ -132,7 +133,8 @@ def _script(mark: str, head: list[str], job: Job, ready: Prepared, timer: bool) 
         first += ranks
     values = {"RUN": ready.directory, "BIN": places.program(""), "SOURCE": places.ROOT,
               "PYTHON": "/usr/bin/python3"}
-    body = BODY.replace("@TIMER@\n", TIMER + "\n" if timer else "")
+    body = BODY.replace("@WARNING_LINE@\n", WARNING_LINE if timer else "")
+    body = body.replace("@TIMER@\n", TIMER + "\n" if timer else "")
     body = body.replace("@TIMER_END@\n", 'kill "$timer" 2>/dev/null\n' if timer else "")
     for name, value in values.items():
         body = body.replace(f"@{name}@", shlex.quote(str(value)))

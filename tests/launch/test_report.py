@@ -125,6 +125,13 @@ class Report(unittest.TestCase):
         self.write_particles()
         self.assertIn("data:image/png", self.page())
 
+    def test_one_particle_in_one_picture(self) -> None:
+        self.write_particles()
+        handmade.write_particles(self.run_dir / "dem/particles_0.vtk", [(0.5, 0.5, 0.8, 1, 0.1, 0)])
+        (self.run_dir / "dem/particles.vtk.series").write_text(
+            json.dumps({"files": [{"name": "particles_0.vtk", "time": 0.0}]}))
+        self.assertIn("<svg", self.page())
+
     def test_torn_field_is_told_not_raised(self) -> None:
         self.write_fluid(two=False)
         path = self.run_dir / "fluid/1/U"
