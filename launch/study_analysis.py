@@ -35,13 +35,14 @@ def mark_front(rows: list[Row]) -> None:
 @dataclass(frozen=True)
 class Order:
     """error ~ |h^order - h_ref^order| along one key; residual: rms of the natural logarithm; ratio:
-    largest over smallest error."""
+    largest over smallest error; left: what the fit leaves as error of the finest run itself."""
 
     key: str
     order: float
     residual: float
     points: int
     ratio: float
+    left: float
 
     def __str__(self) -> str:
         if self.ratio < SAME:
@@ -88,8 +89,22 @@ def orders(rows: list[Row], quantity: str) -> list[Order]:
         if len(line) >= LEAST_POINTS and len(set(sizes)) == len(sizes):
             errors = [row.errors[quantity] for row in line]
             ratio = max(errors) / min(errors)
-            found.append(Order(key, *fit_order(sizes, errors, base), len(line), ratio))
+            order, residual = fit_order(sizes, errors, base)
+            left = 0.0
+            if base is not None and order > 0 and ratio >= SAME:
+                left = float(np.mean(np.array(errors) / np.abs(np.array(sizes) ** order - base**order)))
+                left *= base**order
+            found.append(Order(key, order, residual, len(line), ratio, left))
     return found
+
+
+def set_floor(rows: list[Row], names: list[str]) -> float:
+    """The error that the finest run still has, by the fitted orders (largest over the quantities `names`,
+    keys added up), set as `floor` of every row measured against it. 0 where no order can be fitted."""
+    floor = max((sum(o.left for o in orders(rows, name)) for name in names), default=0.0)
+    for row in rows:
+        row.floor = max(floor, NOTHING)
+    return floor
 
 
 def sentence(rows: list[Row], wanted: float, name: str = "") -> str:
@@ -98,7 +113,7 @@ def sentence(rows: list[Row], wanted: float, name: str = "") -> str:
     taken = [row for row in rows if row.counts]
     if not taken:
         return f"{start}no run can be judged: none is complete besides the reference"
-    good = [row for row in taken if row.worst <= wanted * (1 + 1e-9)]
+    good = [row for row in taken if row.worst + row.floor <= wanted * (1 + 1e-9)]
     if good:
         row = min(good, key=lambda r: (r.wall_s, r.worst))
         return (f"{start}for an error of {100 * wanted:.3g} % use {row.point.label}, "

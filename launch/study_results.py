@@ -14,7 +14,8 @@ from launch.study_quantities import History, Quantity, Reference
 @dataclass
 class Row:
     """A point after its runs. Times are medians over the repeats, spreads largest minus smallest;
-    `errors` and `values` by quantity name; `worst` is the largest error of all quantities."""
+    `errors` and `values` by quantity name; `worst` is the largest error of all quantities; `floor` the
+    error of the reference itself, where that is a run (0: not known, or none)."""
 
     point: Point
     status: str = "pending"
@@ -29,6 +30,7 @@ class Row:
     references: dict[str, float] = field(default_factory=dict)
     errors: dict[str, float] = field(default_factory=dict)
     worst: float | None = None
+    floor: float = 0.0
     is_reference: bool = False
     on_front: bool = False
 
@@ -38,8 +40,11 @@ class Row:
 
     @property
     def counts(self) -> bool:
-        """Whether it takes part in fronts and fits: complete, and not the reference itself."""
-        return self.completed and self.worst is not None and not self.is_reference
+        """Whether it takes part in fronts and fits: complete, and neither the reference itself nor
+        too close to it to be told from it."""
+        if not self.completed or self.worst is None or self.is_reference:
+            return False
+        return self.worst >= 0.5 * self.floor
 
 
 def read(point: Point, directories: list[Path], quantities: list[Quantity], reason: str) -> Row:

@@ -60,7 +60,9 @@ def lines(rows: list[Row]) -> list[str]:
         if not row.completed:
             found.append(f"  {row.point.label:<{width}}  {row.status}: {row.reason}")
             continue
-        error = "reference" if row.is_reference else "-" if row.worst is None else f"{100 * row.worst:.3g} %"
+        error = "-" if row.worst is None else f"{100 * row.worst:.3g} %"
+        if not row.counts and row.worst is not None:
+            error = "reference" if row.is_reference else "as ref."
         mark = "*" if row.on_front else " "
         found.append(f"{mark} {row.point.label:<{width}}  {error:>9}  {row.wall_s:9.2f}  {row.core_s:9.2f}")
     return found

@@ -30,13 +30,10 @@ import argparse
 import signal
 from pathlib import Path
 
-from launch import study_analysis, study_plot, study_results, study_runner, study_schedule
-from launch import study_setup, study_table
+from launch import study_runner, study_schedule, study_setup, study_table, study_verdict
 from launch.commands.run import positive
 from launch.errors import RunError
 from launch.progress import say
-from launch.study_quantities import Reference
-from launch.study_results import Row
 
 NAME = "study"
 HELP = "error against run time over a grid of settings"
@@ -86,12 +83,16 @@ def main(options: argparse.Namespace, runner: study_runner.Runner | None = None)
         say(f"not run: {point.label}: {reason}")
     reasons = dict(plan.refused)
 
+    def write_so_far() -> None:
+        so_far = study_verdict.rows_of(plan, reasons, pending=True)
+        study_table.write(plan.out / "study.csv", so_far, plan.quantities)
+
     def note(job: study_runner.Job, reason: str) -> None:
         if reason:
             reasons[job.point] = reason
-        study_table.write(plan.out / "study.csv", _rows(plan, reasons, pending=True), plan.quantities)
+        write_so_far()
 
-    study_table.write(plan.out / "study.csv", _rows(plan, reasons, pending=True), plan.quantities)
+    write_so_far()
     previous = signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
         study_schedule.run_all(jobs, runner, options.jobs, note)
@@ -99,8 +100,8 @@ def main(options: argparse.Namespace, runner: study_runner.Runner | None = None)
         raise RunError("stopped; the same command goes on where it was") from stop
     finally:
         signal.signal(signal.SIGTERM, previous)
-    rows = _rows(plan, reasons)
-    _judge(plan, rows, options)
+    rows = study_verdict.rows_of(plan, reasons)
+    study_verdict.judge(plan, rows, options.ablate, options.error)
     say(f"written: {plan.out / 'study.csv'}, study.svg")
     failed = [row for row in rows if not row.completed]
     if failed:
@@ -115,44 +116,3 @@ def _passed_on(options: argparse.Namespace) -> list[str]:
         ranks = getattr(options, f"ranks_{name}")
         words += [f"--ranks-{name}", str(ranks)] if ranks else []
     return words
-
-
-def _rows(plan: study_setup.Plan, reasons: dict, pending: bool = False) -> list[Row]:
-    """The rows in the order of the points. Quick: only small files are read."""
-    rows = []
-    for point in plan.points:
-        places = [job.directory for job in plan.jobs.get(point, [])]
-        row = study_results.read(point, places, plan.quantities, reasons.get(point, ""))
-        if pending and row.reason == "not run":
-            row.status, row.reason = "pending", ""
-        rows.append(row)
-    return rows
-
-
-def _judge(plan: study_setup.Plan, rows: list[Row], options: argparse.Namespace) -> None:
-    """Errors, fronts, orders, the sentence, and both files, group by group."""
-    groups: dict[str, list[Row]] = {}
-    for row in rows:
-        groups.setdefault(row.point.text(plan.group), []).append(row)
-    for name, members in groups.items():
-        reference = plan.reference
-        if reference is None:
-            finest = rows[0] if options.ablate else study_results.best(members, plan.grid)
-            if finest is None or not finest.completed:
-                continue
-            finest.is_reference = True
-            reference = Reference(finest.point.label, history=finest.histories[0])
-        study_results.compare(members, plan.quantities, reference)
-        study_analysis.mark_front([] if options.ablate else members)
-    study_table.write(plan.out / "study.csv", rows, plan.quantities)
-    title = f"{plan.case.name} {plan.case.variant}: error against run time".replace(" :", ":")
-    study_plot.write(plan.out / "study.svg", title, groups, plan.quantities, options.ablate)
-    if options.ablate:
-        say("\n".join(study_table.change_lines(rows, plan.quantities)))
-        return
-    say("\n".join(study_table.lines(rows)))
-    for name, members in groups.items():
-        for quantity in plan.quantities:
-            for found in study_analysis.orders(members, quantity.name):
-                say(f"{name + ': ' if name else ''}{quantity.name}, {found}")
-        say(study_analysis.sentence(members, options.error, name))

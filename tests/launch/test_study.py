@@ -86,7 +86,7 @@ class Study(StudyCase):
         self.assertEqual([r["is_reference"] for r in rows], ["0", "0", "0", "1"])
         self.assertEqual([r["on_front"] for r in rows], ["1", "1", "1", "0"])
         self.assertIn("coupling.window: order 1.00", text)
-        self.assertIn("reference", text)
+        self.assertIn("which by the order is 0.5 % off itself", text)
 
     def test_reference_files(self) -> None:
         table, curve = self.place / "table.csv", self.place / "curve.csv"
@@ -108,7 +108,7 @@ class Study(StudyCase):
         self.assertEqual((status, len(runner.seen)), (0, 8))
         self.assertEqual([r["is_reference"] for r in self.rows()], ["0", "1"] * 2)
         self.assertEqual({r["repeats"] for r in self.rows()}, {"2"})
-        for name in ("one_way", "two_way"):
+        for name in ("one_way", "two_way"):  # no order from two points: the floor is not known
             self.assertIn(f"for {name}: for an error of 2 % use reaction={name}, window=2e-3", text)
 
     def test_ablation(self) -> None:

@@ -97,6 +97,15 @@ class Order(unittest.TestCase):
         self.assertAlmostEqual(found["k.y"].order, 2, delta=0.01)
         self.assertEqual(found["k.x"].points, 3)
 
+    def test_error_of_the_finest_run_itself(self) -> None:
+        """e = 0.2 x; against x = 0.05 that has 0.01 itself. A twin of the reference is not judged."""
+        rows = [row(0.2 * (x - 0.05), 9 - x, x=str(x), y="1") for x in (0.4, 0.2, 0.1)]
+        rows += [row(1e-9, 5, x="0.05", y="2"), row(0.0, 9, True, x="0.05", y="1")]
+        self.assertAlmostEqual(study_analysis.set_floor(rows, ["q"]), 0.01, delta=1e-4)
+        self.assertEqual([r.counts for r in rows], [True, True, True, False, False])
+        self.assertIn("no run reaches", study_analysis.sentence(rows, 0.0195))
+        self.assertIn("use x=0.1", study_analysis.sentence(rows, 0.021))
+
     def test_key_without_effect_is_told(self) -> None:
         rows = [row(0.1 * noise, 1, x=x) for x, noise in (("4", 1.001), ("2", 1.0), ("1", 0.999))]
         self.assertEqual(str(study_analysis.orders(rows, "q")[0]), "k.x: no effect on the error (3 points)")
