@@ -6,6 +6,7 @@ from pathlib import Path
 
 import matplotlib
 from matplotlib.figure import Figure
+from matplotlib.ticker import FormatStrFormatter, LogLocator, NullFormatter
 
 from launch.study_analysis import front
 from launch.study_quantities import Quantity
@@ -29,6 +30,10 @@ def write(path: Path, title: str, groups: dict[str, list[Row]], quantities: list
             _draw(axes, rows, quantity.name, name, index, all_labels)
         axes.set_xscale("log")
         axes.set_yscale("log")
+        for axis in (axes.xaxis, axes.yaxis):
+            axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+            axis.set_major_formatter(FormatStrFormatter("%g"))
+            axis.set_minor_formatter(NullFormatter())
         axes.set_xlabel("run time [s]", fontsize=8)
         axes.set_ylabel(f"error of {quantity.name} [-]", fontsize=8)
         axes.tick_params(labelsize=7, which="both")

@@ -90,9 +90,10 @@ def failure(directory: Path, log: Path) -> str:
     summary = results.read_summary(directory)
     if summary.get("status") == "stopped":
         return "stopped before its end"
-    if summary.get("reason"):
-        return " ".join(str(summary["reason"]).split())
+    reason = str(summary.get("reason", ""))
     lines = progress.last_lines(log, 60).splitlines()
-    bad = [" ".join(lines[i:i + 2]) for i, line in enumerate(lines) if line.startswith("bad ")]
-    errors = [line.removeprefix("slidewave: ") for line in lines if line.startswith("slidewave: ")]
-    return " ".join("; ".join(errors[-1:] + bad).split()) or "ended without a result; see its log"
+    if not reason or reason.startswith("the programs ended with"):  # it does not say why
+        bad = [" ".join(lines[i:i + 2]) for i, line in enumerate(lines) if line.startswith("bad ")]
+        errors = [line.removeprefix("slidewave: ") for line in lines if line.startswith("slidewave: ")]
+        reason = "; ".join(errors[-1:] + bad) or reason
+    return " ".join(reason.split()) or "ended without a result; see its log"

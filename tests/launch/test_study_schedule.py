@@ -50,6 +50,9 @@ class Schedule(ScratchCase):
         log.write_text("bad   Courant number   2 limit 1\n      change fluid_dt = 0.1\nslidewave: refused\n")
         self.assertEqual(failure(self.place / "a", log),
                          "refused; bad Courant number 2 limit 1 change fluid_dt = 0.1")
+        results.write_summary(self.place, {"status": "failed", "reason": "the programs ended with status 2"})
+        log.write_text("slidewave: dem: MPI did not start within 10 s\n")
+        self.assertEqual(failure(self.place, log), "dem: MPI did not start within 10 s")
         log.write_text("")
         self.assertIn("see its log", failure(self.place / "a", log))
 
