@@ -60,5 +60,7 @@ def _draw(axes, rows: list[Row], quantity: str, name: str, index: int, all_label
     if not all_labels:
         axes.plot([costs[i] for i in best], [errors[i] for i in best], color=colour, linewidth=1)
     for i in range(len(taken)) if all_labels else best:
+        right = costs[i] ** 2 > min(costs) * max(costs)  # its label goes to the left, into the picture
         axes.annotate(taken[i].point.label, (costs[i], errors[i]), fontsize=6, color=colour,
-                      xytext=(4, 4), textcoords="offset points")
+                      xytext=(-4 if right else 4, 4), ha="right" if right else "left",
+                      textcoords="offset points")

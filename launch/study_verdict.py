@@ -41,7 +41,8 @@ def judge(plan: Plan, rows: list[Row], ablate: bool, wanted: float) -> None:
             study_analysis.set_floor(members, [q.name for q in plan.quantities])
         study_analysis.mark_front(members)
     study_table.write(plan.out / "study.csv", rows, plan.quantities)
-    title = f"{plan.case.name} {plan.case.variant}: error against run time".replace(" :", ":")
+    shown = "change without each term" if ablate else "error against run time"
+    title = f"{' '.join(filter(None, (plan.case.name, plan.case.variant)))}: {shown}"
     study_plot.write(plan.out / "study.svg", title, groups, plan.quantities, ablate)
     if ablate:
         say("\n".join(study_table.change_lines(rows, plan.quantities)))
