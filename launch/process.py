@@ -48,7 +48,8 @@ def run(ready: Prepared) -> int:
         child.send_signal(number if asked else signal.SIGUSR1)
         asked = True
 
-    previous = {n: signal.signal(n, forward) for n in (signal.SIGINT, signal.SIGTERM, signal.SIGUSR1)}
+    watched = (signal.SIGINT, signal.SIGTERM, signal.SIGUSR1, signal.SIGHUP)
+    previous = {number: signal.signal(number, forward) for number in watched}
     try:
         status = child.wait()
     finally:
