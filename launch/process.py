@@ -49,7 +49,8 @@ def run(ready: Prepared) -> int:
         asked = True
 
     watched = (signal.SIGINT, signal.SIGTERM, signal.SIGUSR1, signal.SIGHUP)
-    previous = {number: signal.signal(number, forward) for number in watched}
+    previous = {number: signal.signal(number, forward) for number in watched
+                if signal.getsignal(number) != signal.SIG_IGN}  # nohup stays nohup
     try:
         status = child.wait()
     finally:
