@@ -73,9 +73,10 @@ void check_stiffness(Facts const& facts, Sheet& sheet) {
   // A fluid that hardly feels the particles cannot answer them wrongly: only the mixture must be
   // mild then, and one-way nothing must.
   bool const answers = two_way && x * loading > limits::mild_stiffness;
-  sheet.at_most(quantity, x, limits::mild_stiffness, answers ? limits::mild_stiffness : INFINITY,
-                "proven range of the serial coupling",
-                {"coupling.window", window * limits::mild_stiffness / x});
+  double const comfort =
+      phi > limits::dense_solid_fraction ? limits::dense_mild_stiffness : limits::mild_stiffness;
+  sheet.at_most(quantity, x, comfort, answers ? limits::mild_stiffness : INFINITY,
+                "proven range of the serial coupling", {"coupling.window", window * comfort / x});
   if (two_way) {
     double const mixture = limits::mixture_stiffness(x, loading);
     sheet.at_most("relaxation of the mixture, K W/m (1 + loading)", mixture,
@@ -97,13 +98,14 @@ void check_added_mass(Facts const& facts, Sheet& sheet) {
     return;
   }
   if (sheet.needs(facts, quantity, {"particle_density_min_kg_m3", "fluid_density_kg_m3"})) {
-    double const limit = limits::mild_added_mass_number;
+    double const comfort = limits::comfortable_added_mass_number;
     double const number =
         limits::added_mass_number(solid_fraction(facts), facts.number("particle_density_min_kg_m3"),
                                   facts.number("fluid_density_kg_m3"));
-    sheet.at_most(quantity, number, limit, limit, "inertia that comes back a window late",
+    sheet.at_most(quantity, number, comfort, limits::mild_added_mass_number,
+                  "inertia that comes back a window late",
                   {"parameters.particle_density",
-                   facts.number("particle_density_min_kg_m3") * number / limit});
+                   facts.number("particle_density_min_kg_m3") * number / comfort});
   }
 }
 
