@@ -1,6 +1,6 @@
-// What a run needs, from unit costs. The defaults are this project's measurements on one 2020s
-// core (VAJONT.md: 1.9 to 2.5 million particle-steps/s in a moving slide; OpenFOAM VOF with PISO
-// about 6 us a cell and step) and are meant to be right within a factor of two.
+// What a run needs, from unit costs on one 2020s core, meant to be right within a factor of two.
+// The particle rate is measured (1.9 to 2.5 million particle-steps/s in a moving slide); the cell
+// rate and the memory are estimates.
 #pragma once
 
 #include <cmath>
