@@ -1,9 +1,8 @@
-#include "FoamCase.H"
-
 #include <csignal>
 #include <string>
 #include <vector>
 
+#include "FoamCase.H"
 #include "IFstream.H"
 #include "dimensionedTypes.H"
 

@@ -1,10 +1,9 @@
-#include "FoamEngine.H"
-
 #include <algorithm>
 #include <cmath>
 #include <fstream>
 
 #include "FoamCase.H"
+#include "FoamEngine.H"
 #include "Locator.H"
 #include "Observer.H"
 #include "ParticleKernel.H"
@@ -28,7 +27,9 @@ Eigen::Map<MatrixXd const> matrix(vectorField const& field) {
   return {reinterpret_cast<double const*>(field.cdata()), 3, field.size()};
 }
 
-Vec3 vec3(vector const& v) { return {v.x(), v.y(), v.z()}; }
+Vec3 vec3(vector const& v) {
+  return {v.x(), v.y(), v.z()};
+}
 
 // One letter an axis: e empty (not solved), p periodic, b bounded.
 std::string boundaryLetters(fvMesh const& mesh) {
@@ -92,7 +93,8 @@ struct FoamEngine::Impl {
   }
 
   void write(double now_s) {
-    long const due = output_interval_s > 0 ? std::lround(std::floor(now_s / output_interval_s + 1e-6)) : 0;
+    long const due =
+        output_interval_s > 0 ? std::lround(std::floor(now_s / output_interval_s + 1e-6)) : 0;
     if (due == outputs && now_s < end_s * (1 - 1e-9)) return;
     outputs = due;
     foam.time().writeNow();
@@ -130,9 +132,13 @@ std::vector<std::pair<std::string, std::string>> FoamEngine::facts() const {
   return facts;
 }
 
-Box FoamEngine::bounds() const { return impl_->locator.bounds(); }
+Box FoamEngine::bounds() const {
+  return impl_->locator.bounds();
+}
 
-std::vector<Quantity> FoamEngine::quantities() const { return impl_->quantities; }
+std::vector<Quantity> FoamEngine::quantities() const {
+  return impl_->quantities;
+}
 
 std::vector<Feature> FoamEngine::features() const {
   bool const two_fluids = impl_->flow->budgets().size() == 2;
@@ -143,8 +149,8 @@ std::vector<Feature> FoamEngine::features() const {
 }
 
 std::vector<Field> FoamEngine::samples() const {
-  return {{"velocity", "m/s", 3},      {"mean_velocity", "m/s", 3}, {"density", "kg/m3", 1},
-          {"viscosity", "Pa s", 1},    {"void_fraction", "-", 1},   {"saturation", "-", 1},
+  return {{"velocity", "m/s", 3},          {"mean_velocity", "m/s", 3}, {"density", "kg/m3", 1},
+          {"viscosity", "Pa s", 1},        {"void_fraction", "-", 1},   {"saturation", "-", 1},
           {"pressure_gradient", "Pa/m", 3}};
 }
 
@@ -179,14 +185,15 @@ void FoamEngine::exchange(Table::ConstColumn drag_kg_s, Table::ConstColumn veloc
   amounts.middleRows(1, 3) = velocity_m_s.array().rowwise() * drag_kg_s.row(0).array();
   amounts.middleRows(4, 3) = force_N;
   amounts.array().rowwise() /= self.weight_at_particles.row(0).array();
-  MatrixXd const density = self.kernel.spread(amounts).array().rowwise() * self.weight.row(0).array();
+  MatrixXd const density =
+      self.kernel.spread(amounts).array().rowwise() * self.weight.row(0).array();
 
   fvMesh const& mesh = self.foam.mesh();
   auto const name = [&](char const* what) { return IOobject(what, mesh.time().timeName(), mesh); };
-  std::unique_ptr<DragDensity> drag(new DragDensity{
-      {name("drag"), mesh, dimensionedScalar(dimMass / dimTime / dimVolume, Zero)},
-      {name("dragVelocity"), mesh, dimensionedVector(dimForce / dimVolume, Zero)},
-      {name("extraForce"), mesh, dimensionedVector(dimForce / dimVolume, Zero)}});
+  std::unique_ptr<DragDensity> drag(
+      new DragDensity{{name("drag"), mesh, dimensionedScalar(dimMass / dimTime / dimVolume, Zero)},
+                      {name("dragVelocity"), mesh, dimensionedVector(dimForce / dimVolume, Zero)},
+                      {name("extraForce"), mesh, dimensionedVector(dimForce / dimVolume, Zero)}});
   for (label cell = 0; cell < mesh.nCells(); ++cell) {
     drag->coefficient[cell] = density(0, cell);
     for (direction d = 0; d < 3; ++d) {
@@ -253,9 +260,13 @@ void FoamEngine::sample(std::string const& field, Table::Column out) {
   }
 }
 
-Vec3 FoamEngine::given_impulse() const { return vec3(impl_->flow->given()); }
+Vec3 FoamEngine::given_impulse() const {
+  return vec3(impl_->flow->given());
+}
 
-double FoamEngine::solid_volume_m3() const { return impl_->solid.volume_m3(impl_->kernel); }
+double FoamEngine::solid_volume_m3() const {
+  return impl_->solid.volume_m3(impl_->kernel);
+}
 
 Vec3 FoamEngine::solid_pressure_force() const {
   vectorField const& gradient = impl_->flow->meanPressureGradient();

@@ -1,5 +1,3 @@
-#include "World.H"
-
 #include <unistd.h>
 
 #include <cfenv>
@@ -9,6 +7,7 @@
 
 #include "PstreamGlobals.H"
 #include "UPstream.H"
+#include "World.H"
 #include "error.H"
 
 namespace slidewave::foam {
@@ -39,8 +38,8 @@ void nameDataFolder(int, char** argv, char** environment) {
   execve("/proc/self/exe", argv, const_cast<char**>(longer));
 }
 
-[[gnu::section(".preinit_array"), gnu::used]] void (*const beforeLibraries)(int, char**, char**) =
-    nameDataFolder;
+[[gnu::section(".preinit_array"),
+  gnu::used]] void (*const beforeLibraries)(int, char**, char**) = nameDataFolder;
 
 void onFloatingPointError(int) {
   std::signal(SIGFPE, SIG_DFL);
@@ -80,7 +79,7 @@ TrapFloatingPoint::~TrapFloatingPoint() {
 
 // The four members that OpenFOAM 1912's libPstream defines on MPI_COMM_WORLD.
 
-bool Foam::UPstream::init(int&, char**&, const bool needsThread) {
+bool Foam::UPstream::init(int&, char**&, bool const needsThread) {
   MPI_Comm const comm = slidewave::foam::world().comm;
   int size = 0;
   MPI_Comm_size(comm, &size);
@@ -99,7 +98,9 @@ void Foam::UPstream::exit(int status) {
   // A regular end (argList's destructor): MPI belongs to the session, which finalises it.
 }
 
-void Foam::UPstream::abort() { slidewave::foam::failWorld("OpenFOAM aborted"); }
+void Foam::UPstream::abort() {
+  slidewave::foam::failWorld("OpenFOAM aborted");
+}
 
 void Foam::UPstream::allocatePstreamCommunicator(const label parent, const label index) {
   using namespace PstreamGlobals;

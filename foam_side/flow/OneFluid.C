@@ -1,5 +1,4 @@
 #include "OneFluid.H"
-
 #include "adjustPhi.H"
 #include "constrainHbyA.H"
 #include "constrainPressure.H"
@@ -26,15 +25,17 @@ OneFluid::OneFluid(fvMesh& mesh, Time& time)
       rho_("rho", dimDensity, transportProperties(mesh).lookupOrDefault<scalar>("rho", 1000)) {
   if (transportProperties(mesh).lookupOrDefault<word>("transportModel", "Newtonian") !=
       "Newtonian") {
-    FatalErrorInFunction << "transportProperties: only transportModel Newtonian" << exit(FatalError);
+    FatalErrorInFunction << "transportProperties: only transportModel Newtonian"
+                         << exit(FatalError);
   }
   setRefCell(p_, pimple_.dict(), pRefCell_, pRefValue_);
 }
 
 void OneFluid::solveStep() {
   while (pimple_.loop()) {
+    surfaceScalarField const inertia(fvc::ddtCorr(U_, phi_));
     tmp<fvVectorMatrix> tUEqn = momentum();
-    while (pimple_.correct()) correctPressure(tUEqn.ref());
+    while (pimple_.correct()) correctPressure(tUEqn.ref(), inertia);
   }
 }
 
@@ -49,12 +50,12 @@ tmp<fvVectorMatrix> OneFluid::momentum() {
   return tUEqn;
 }
 
-void OneFluid::correctPressure(fvVectorMatrix& UEqn) {
+void OneFluid::correctPressure(fvVectorMatrix& UEqn, surfaceScalarField const& inertia) {
   volScalarField const rAU(1 / UEqn.A());
   surfaceScalarField const rAUf("rAUf", sqr(epsf_) * fvc::interpolate(rAU));
   volVectorField const HbyA(constrainHbyA(rAU * UEqn.H(), U_, p_));
-  surfaceScalarField F("phiHbyA", fvc::flux(eps_ * HbyA) + epsf_ * fvc::interpolate(eps_ * rAU) *
-                                                               fvc::ddtCorr(U_, phi_));
+  surfaceScalarField F("phiHbyA",
+                       fvc::flux(eps_ * HbyA) + epsf_ * fvc::interpolate(eps_ * rAU) * inertia);
   if (p_.needReference()) adjustPhi(F, U_, p_);
   constrainPressure(p_, eps_, U_, F, rAUf);
 
@@ -86,8 +87,12 @@ tmp<volScalarField> OneFluid::uniform(dimensionedScalar const& value) const {
   return volScalarField::New(value.name(), mesh_, value);
 }
 
-tmp<volScalarField> OneFluid::density() const { return uniform(rho_); }
-tmp<volScalarField> OneFluid::dynamicViscosity() const { return uniform(rho_ * nu_); }
+tmp<volScalarField> OneFluid::density() const {
+  return uniform(rho_);
+}
+tmp<volScalarField> OneFluid::dynamicViscosity() const {
+  return uniform(rho_ * nu_);
+}
 tmp<volScalarField> OneFluid::saturation() const {
   return uniform(dimensionedScalar("saturation", dimless, 1));
 }

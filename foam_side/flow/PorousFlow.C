@@ -1,10 +1,9 @@
-#include "PorousFlow.H"
-
 #include <algorithm>
 #include <cmath>
 
 #include "CorrectPhi.H"
 #include "OneFluid.H"
+#include "PorousFlow.H"
 #include "TwoFluids.H"
 #include "World.H"
 #include "extrapolatedCalculatedFvPatchFields.H"
@@ -39,9 +38,9 @@ scalar boundaryOutflow(surfaceScalarField const& flux) {
 }
 
 std::unique_ptr<PorousFlow> PorousFlow::New(fvMesh& mesh, Time& time) {
-  IOdictionary const transport(
-      IOobject("transportProperties", time.constant(), mesh, IOobject::MUST_READ, IOobject::NO_WRITE,
-               /*registerObject=*/false));
+  IOdictionary const transport(IOobject("transportProperties", time.constant(), mesh,
+                                        IOobject::MUST_READ, IOobject::NO_WRITE,
+                                        /*registerObject=*/false));
   if (transport.found("phases")) return std::make_unique<TwoFluids>(mesh, time);
   return std::make_unique<OneFluid>(mesh, time);
 }
@@ -85,7 +84,9 @@ void PorousFlow::keepMeans(bool velocity, bool pressureGradient) {
   if (pressureGradient) meanGradP_.setSize(mesh_.nCells(), Zero);
 }
 
-void PorousFlow::setDrag(std::unique_ptr<DragDensity> drag) { drag_ = std::move(drag); }
+void PorousFlow::setDrag(std::unique_ptr<DragDensity> drag) {
+  drag_ = std::move(drag);
+}
 
 void PorousFlow::setTarget(scalarField const& eps) {
   target_ = std::make_unique<scalarField>(eps);
@@ -113,7 +114,8 @@ void PorousFlow::advance(double end_s) {
     double const courant =
         courantNumber(F_, eps_, target_ ? *target_ : eps_.primitiveField(), last_s);
     maxCourant_ = std::max(maxCourant_, courant);
-    time_.setDeltaT(stepSize_.next(time_.value(), end_s, courant, interfaceCourant(), last_s), false);
+    time_.setDeltaT(stepSize_.next(time_.value(), end_s, courant, interfaceCourant(), last_s),
+                    false);
     Info << "Courant " << courant << " dt " << time_.deltaTValue() << nl;
     ++time_;
     Info << "Time = " << time_.timeName() << nl << endl;

@@ -1,8 +1,7 @@
-#include "StepSize.H"
-
 #include <algorithm>
 #include <cmath>
 
+#include "StepSize.H"
 #include "fvc.H"
 #include "surfaceFields.H"
 #include "volFields.H"

@@ -1,8 +1,7 @@
 #include "TwoFluids.H"
-
+#include "adjustPhi.H"
 #include "constrainHbyA.H"
 #include "constrainPressure.H"
-#include "adjustPhi.H"
 #include "findRefCell.H"
 #include "fvc.H"
 #include "fvm.H"
@@ -46,12 +45,15 @@ void TwoFluids::solveStep() {
   while (pimple_.loop()) {
     solvePhase();
     mixture_.correct();
-    tmp<fvVectorMatrix> tUEqn = momentum();
-    while (pimple_.correct()) correctPressure(tUEqn.ref());
+    surfaceScalarField const force(bodyForce());
+    surfaceScalarField const inertia(fvc::ddtCorr(U_, phi_));
+    tmp<fvVectorMatrix> tUEqn = momentum(force);
+    while (pimple_.correct()) correctPressure(tUEqn.ref(), force, inertia);
+    setPressure();
   }
 }
 
-tmp<fvVectorMatrix> TwoFluids::momentum() {
+tmp<fvVectorMatrix> TwoFluids::momentum(surfaceScalarField const& force) {
   volScalarField const mu("(rho*nuEff)", eps_ * rho_ * mixture_.nu());
   tmp<fvVectorMatrix> tUEqn((fvm::ddt(eps_, rho_, U_) + fvm::div(rhoF_, U_)) +
                             (-fvc::div(mu * dev2(T(fvc::grad(U_)))) - fvm::laplacian(mu, U_)));
@@ -59,8 +61,7 @@ tmp<fvVectorMatrix> TwoFluids::momentum() {
   addDrag(UEqn, dimensionedScalar("one", dimless, 1));
   UEqn.relax();
   if (pimple_.momentumPredictor()) {
-    solve(UEqn ==
-          eps_ * fvc::reconstruct((bodyForce() - fvc::snGrad(p_)) * mesh_.magSf()));
+    solve(UEqn == eps_ * fvc::reconstruct((force - fvc::snGrad(p_)) * mesh_.magSf()));
   }
   return tUEqn;
 }
@@ -70,16 +71,18 @@ tmp<surfaceScalarField> TwoFluids::bodyForce() const {
   return mixture_.surfaceTensionForce() - ghf_ * fvc::snGrad(rho_);
 }
 
-void TwoFluids::correctPressure(fvVectorMatrix& UEqn) {
+// `force` and `inertia` (the old flux's part of the time derivative) stay the same in all
+// corrections.
+void TwoFluids::correctPressure(fvVectorMatrix& UEqn, surfaceScalarField const& force,
+                                surfaceScalarField const& inertia) {
   volScalarField const rAU(1 / UEqn.A());
   surfaceScalarField const rAUf("rAUf", sqr(epsf_) * fvc::interpolate(rAU));
   volVectorField const HbyA(constrainHbyA(rAU * UEqn.H(), U_, p_));
   // eps HbyA goes to the faces as one product: its flux is smooth where eps jumps.
-  surfaceScalarField F("phiHbyA", fvc::flux(eps_ * HbyA) +
-                                      epsf_ * fvc::interpolate(eps_ * rho_ * rAU) *
-                                          fvc::ddtCorr(U_, phi_));
+  surfaceScalarField F(
+      "phiHbyA", fvc::flux(eps_ * HbyA) + epsf_ * fvc::interpolate(eps_ * rho_ * rAU) * inertia);
   if (p_.needReference()) adjustPhi(F, U_, p_);
-  surfaceScalarField const forceFlux(bodyForce() * rAUf * mesh_.magSf());
+  surfaceScalarField const forceFlux(force * rAUf * mesh_.magSf());
   F += forceFlux;
   constrainPressure(p_, eps_, U_, F, rAUf);
 
@@ -96,7 +99,6 @@ void TwoFluids::correctPressure(fvVectorMatrix& UEqn) {
       U_.correctBoundaryConditions();
     }
   }
-  setPressure();
 }
 
 // Pressure in equilibrium with gravity, in pores and in open water alike.
@@ -116,10 +118,10 @@ void TwoFluids::solveHydrostatic() {
 }
 
 void TwoFluids::setPressure() {
-  p_full_ == p_ + rho_ * gh_;
+  p_full_ == p_ + rho_* gh_;
   if (p_.needReference()) {
-    p_full_ += dimensionedScalar("p", p_.dimensions(),
-                                 pRefValue_ - getRefCellValue(p_full_, pRefCell_));
+    p_full_ +=
+        dimensionedScalar("p", p_.dimensions(), pRefValue_ - getRefCellValue(p_full_, pRefCell_));
     p_ = p_full_ - rho_ * gh_;
   }
 }

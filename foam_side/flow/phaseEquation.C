@@ -64,7 +64,7 @@ void TwoFluids::solvePhase() {
     rhoF_ = sum;
   }
   airOutStep_ = time_.deltaTValue() * boundaryOutflow(F_) - waterOutStep_;
-  rho_ == a * mixture_.rho1() + mixture_.alpha2() * mixture_.rho2();
+  rho_ == a* mixture_.rho1() + mixture_.alpha2() * mixture_.rho2();
 }
 
 void TwoFluids::solvePhaseStep(scalarField const& eps, scalarField const& eps0) {
@@ -89,14 +89,14 @@ void TwoFluids::solvePhaseStep(scalarField const& eps, scalarField const& eps0) 
   for (int correction = 0; correction < controls.corrections; ++correction) {
     surfaceScalarField const phir(compression * mixture_.nHatf());
     word const compressed("div(phirb,alpha)");
-    surfaceScalarField unbounded(
-        fvc::flux(F_, a, "div(phi,alpha)") +
-        fvc::flux(-fvc::flux(-phir, air, compressed), a, compressed));
+    surfaceScalarField unbounded(fvc::flux(F_, a, "div(phi,alpha)") +
+                                 fvc::flux(-fvc::flux(-phir, air, compressed), a, compressed));
 
     if (controls.implicitPredictor) {
       surfaceScalarField change(unbounded - alphaF_);
       volScalarField const before("before", a);
-      MULES::correct(pores, a, unbounded, change, zeroField(), zeroField(), oneField(), zeroField());
+      MULES::correct(pores, a, unbounded, change, zeroField(), zeroField(), oneField(),
+                     zeroField());
       if (correction > 0) {  // under-relaxed, but for the first
         a = 0.5 * a + 0.5 * before;
         change *= 0.5;
@@ -104,7 +104,8 @@ void TwoFluids::solvePhaseStep(scalarField const& eps, scalarField const& eps0) 
       alphaF_ += change;
     } else {
       alphaF_ = unbounded;
-      MULES::explicitSolve(pores, a, F_, alphaF_, zeroField(), zeroField(), oneField(), zeroField());
+      MULES::explicitSolve(pores, a, F_, alphaF_, zeroField(), zeroField(), oneField(),
+                           zeroField());
     }
     air = 1 - a;
     mixture_.correct();

@@ -1,7 +1,7 @@
-#include "LargestBody.H"
-
 #include <algorithm>
 #include <numeric>
+
+#include "LargestBody.H"
 
 namespace slidewave::foam {
 namespace {
@@ -31,7 +31,8 @@ void joinAcrossRanks(MeshGraph const& graph, std::vector<char> const& wet,
                      std::vector<int> const& body, std::vector<int>& label) {
   for (int changed = 1; changed;) {
     Eigen::MatrixXd mine(1, graph.cells());
-    for (int cell = 0; cell < graph.cells(); ++cell) mine(0, cell) = wet[cell] ? label[body[cell]] : -1;
+    for (int cell = 0; cell < graph.cells(); ++cell)
+      mine(0, cell) = wet[cell] ? label[body[cell]] : -1;
     auto const theirs = graph.across(mine);
     changed = 0;
     for (std::size_t i = 0; i < theirs.size(); ++i) {

@@ -1,7 +1,6 @@
-#include "Locator.H"
-
 #include <limits>
 
+#include "Locator.H"
 #include "indexedOctree.H"
 #include "treeDataCell.H"
 #include "treeDataFace.H"

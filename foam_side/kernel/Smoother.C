@@ -1,7 +1,7 @@
-#include "Smoother.H"
-
 #include <algorithm>
 #include <cmath>
+
+#include "Smoother.H"
 
 namespace slidewave::foam {
 namespace {

@@ -1,6 +1,5 @@
-#include "graphOfMesh.H"
-
 #include "cyclicPolyPatch.H"
+#include "graphOfMesh.H"
 #include "processorPolyPatch.H"
 #include "surfaceFields.H"
 #include "volFields.H"

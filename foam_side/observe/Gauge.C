@@ -1,6 +1,6 @@
-#include "Gauge.H"
-
 #include <algorithm>
+
+#include "Gauge.H"
 
 namespace slidewave::foam {
 

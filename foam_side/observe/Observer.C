@@ -1,6 +1,5 @@
-#include "Observer.H"
-
 #include "Gauge.H"
+#include "Observer.H"
 #include "Wave.H"
 
 namespace slidewave::foam {

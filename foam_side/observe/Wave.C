@@ -1,11 +1,10 @@
-#include "Wave.H"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
 #include "LargestBody.H"
+#include "Wave.H"
 
 namespace slidewave::foam {
 
@@ -16,7 +15,8 @@ namespace {
 double const noValue = std::numeric_limits<double>::quiet_NaN();
 
 // Water volume per height bin, which ranks can add up.
-double percentile99(WaterView const& view, std::vector<char> const& chosen, double low, double high) {
+double percentile99(WaterView const& view, std::vector<char> const& chosen, double low,
+                    double high) {
   int const bins = 4096;
   double const width = std::max(high - low, 1e-12) / bins;
   std::vector<double> volume(bins, 0.0);

@@ -1,8 +1,8 @@
 // foam_drive DIR: the fluid engine alone, with particles that move on straight lines.
 //
 // DIR/case.toml and DIR/fluid as in a coupled run; DIR/particles.csv (may be absent) has a row a
-// particle: x,y,z,vx,vy,vz,volume,K,fx,fy,fz. Writes DIR/samples.csv (a row a window and particle) and
-// DIR/windows.csv (a row a window: quantities and budgets).
+// particle: x,y,z,vx,vy,vz,volume,K,fx,fy,fz. Writes DIR/samples.csv (a row a window and particle)
+// and DIR/windows.csv (a row a window: quantities and budgets).
 #include <cstdio>
 #include <fstream>
 #include <iostream>
@@ -140,7 +140,8 @@ int drive(std::filesystem::path const& directory) {
       auto const quantities = engine.quantities();
       if (index == 0) {
         std::fprintf(rows, "window,farthest");
-        for (char const* name : {"particle_impulse", "given", "particle_pressure", "cell_pressure"}) {
+        for (char const* name :
+             {"particle_impulse", "given", "particle_pressure", "cell_pressure"}) {
           for (char const axis : {'x', 'y', 'z'}) std::fprintf(rows, ",%s_%c", name, axis);
         }
         std::fprintf(rows, ",particle_volume,solid_volume,unused");

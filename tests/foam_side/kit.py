@@ -21,7 +21,7 @@ class Case:
     """A box of cells, one block: x fastest, then y, then z. 2-D in x and z where ny = 1."""
 
     def __init__(self, cells, size, two_fluids=True, tolerance=TIGHT, slope=0.0, periodic=(), closed=False,
-                 extra_solution="", water="nAlphaCorr 2; nAlphaSubCycles 1; cAlpha 1;", dt=1e-3, controls=""):
+                 extra_solution="", water="nAlphaCorr 2; nAlphaSubCycles 1; cAlpha 1;", dt=1e-3, controls="", normals="corrected"):
         self.directory = pathlib.Path(tempfile.mkdtemp(prefix="foam_"))
         self.fluid = self.directory / "fluid"
         self.cells, self.size, self.slope = cells, size, slope
@@ -35,15 +35,15 @@ class Case:
         self.write("constant/g", "dimensions [0 1 -2 0 0 0 0]; value (0 0 -9.81);",
                    "uniformDimensionedVectorField")
         self.write("constant/turbulenceProperties", "simulationType laminar;")
-        self.write("system/fvSchemes", """
-ddtSchemes { default Euler; }
-gradSchemes { default Gauss linear; }
-divSchemes { default none; div(rhoPhi,U) Gauss linearUpwind grad(U); div(phi,U) Gauss linearUpwind grad(U);
+        self.write("system/fvSchemes", f"""
+ddtSchemes {{ default Euler; }}
+gradSchemes {{ default Gauss linear; }}
+divSchemes {{ default none; div(rhoPhi,U) Gauss linearUpwind grad(U); div(phi,U) Gauss linearUpwind grad(U);
   div(phi,alpha) Gauss vanLeer; div(phirb,alpha) Gauss linear;
-  div(((rho*nuEff)*dev2(T(grad(U))))) Gauss linear; div((nuEff*dev2(T(grad(U))))) Gauss linear; }
-laplacianSchemes { default Gauss linear corrected; }
-interpolationSchemes { default linear; }
-snGradSchemes { default corrected; }""")
+  div(((rho*nuEff)*dev2(T(grad(U))))) Gauss linear; div((nuEff*dev2(T(grad(U))))) Gauss linear; }}
+laplacianSchemes {{ default Gauss linear {normals}; }}
+interpolationSchemes {{ default linear; }}
+snGradSchemes {{ default {normals}; }}""")
         solver = f"{{ solver PCG; preconditioner DIC; tolerance {tolerance}; relTol 0; maxIter 5000; }}"
         self.write("system/fvSolution", f"""
 solvers {{
@@ -196,5 +196,6 @@ def column(cells, size, depth, **settings):
     case = Case((cells[0], 1, cells[1]), (size[0], size[0] / cells[0], size[1]), **settings).mesh()
     x = case.centres()
     dz = size[1] / cells[1]
-    water = np.clip((depth - (x[:, 2] - dz / 2)) / dz, 0, 1)
+    across = np.linspace(-0.5, 0.5, 65) * case.slope * size[0] / cells[0]  # cells are parallelograms
+    water = np.mean([np.clip((depth - (x[:, 2] + rise - dz / 2)) / dz, 0, 1) for rise in across], axis=0)
     return case.fields(water)

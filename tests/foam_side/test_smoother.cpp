@@ -67,7 +67,8 @@ TEST(ParticleKernel, SampleIsTheTransposeOfDeposit) {
   ParticleKernel kernel(Smoother(row(30, 1.1), 6));
   kernel.place({3, 3, 17, 29, 0});
   MatrixXd const amounts = (MatrixXd(1, 5) << 1, 2, 0.5, 3, 0.1).finished();
-  MatrixXd const field = MatrixXd::NullaryExpr(1, 30, [](long, long i) { return std::sin(0.3 * i); });
+  MatrixXd const field =
+      MatrixXd::NullaryExpr(1, 30, [](long, long i) { return std::sin(0.3 * i); });
   double const cells = product(kernel.smoother().graph(), kernel.spread(amounts), field);
   double const particles = (amounts * kernel.gather(field).transpose())(0);
   EXPECT_NEAR(cells, particles, 1e-12);
