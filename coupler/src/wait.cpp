@@ -27,11 +27,12 @@ bool Waiter::Attempt::back_off() {
 void Waiter::remind(Attempt& attempt, std::string const& awaited) const {
   double const waited = attempt.checked_s - attempt.start_s;
   if (waited > patience_s_) {
-    failure_.fail(
-        fmt::format("waited {:.3g} s for {}, longer than coupling.patience = {:.3g} s; raise it if "
-                    "one window may take that long",
-                    waited, awaited, patience_s_),
-        1);
+    std::string const limit =
+        joining_
+            ? "the time in which programs must join"
+            : fmt::format("coupling.patience = {:.3g} s; raise it if a window may take so long",
+                          patience_s_);
+    failure_.fail(fmt::format("waited {:.3g} s for {}, longer than {}", waited, awaited, limit), 1);
   }
   if (speaks_ && attempt.checked_s - attempt.spoken_s > 30) {
     attempt.spoken_s = attempt.checked_s;

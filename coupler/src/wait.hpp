@@ -19,6 +19,8 @@ class Waiter {
   /// This rank prints the reminders: one rank a side does.
   void speaks(bool speaks) { speaks_ = speaks; }
   void patience(double seconds) { patience_s_ = seconds; }
+  /// While programs join, the limit is not the user's.
+  void joining(bool joining) { joining_ = joining; }
   double patience() const { return patience_s_; }
 
   /// Tests until `done()`; `awaited()` tells what is missing, e.g. "fluid: answers of window 12".
@@ -62,6 +64,7 @@ class Waiter {
   Profile& profile_;
   double patience_s_;
   bool speaks_ = false;
+  bool joining_ = false;
 };
 
 }  // namespace slidewave

@@ -55,11 +55,13 @@ std::vector<int> gather_roles(Role role, Waiter& waiter) {
   PMPI_Iallgather(&mine, 1, MPI_INT, answers.data(), 1, MPI_INT, MPI_COMM_WORLD, &request);
   double const patience = waiter.patience();
   waiter.patience(join_deadline_s);
+  waiter.joining(true);
   waiter.request(request, [role] {
     return fmt::format("every process to join (was slidewave_{} started?)",
                        role == Role::fluid ? "dem" : "foam");
   });
   waiter.patience(patience);
+  waiter.joining(false);
   return answers;
 }
 
