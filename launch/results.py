@@ -58,16 +58,25 @@ def reduced(history: dict[str, np.ndarray], column: str, how: str) -> float | No
     return float(operation(values[good]))
 
 
+def up_to(history: dict[str, np.ndarray], until_s: float | None) -> dict[str, np.ndarray]:
+    """The rows of a history up to a time, all of them for None."""
+    if until_s is None or "time_s" not in history:
+        return history
+    kept = history["time_s"] <= until_s
+    return {column: values[kept] for column, values in history.items()}
+
+
 def judge(target: dict, history: dict[str, np.ndarray]) -> dict:
     """One row of summary.json's `targets`: both tolerances, where given, must hold."""
     how = target.get("reduce", "max")
+    history = up_to(history, target.get("until"))
     value, reference = reduced(history, target["column"], how), target["reference"]
     row = {"name": target["name"], "value": value, "reference": reference, "relative_error": None,
            "tolerance": target.get("tolerance"), "tolerance_absolute": target.get("tolerance_absolute"),
            "required": target.get("required", False), "pass": False, "column": target["column"],
            "reduce": how, "unit": "s" if how == "time_of_max" else unit_of(target["column"]),
            "source": target["source"]}
-    for extra in ("one_way", "no_water"):
+    for extra in ("until", "one_way", "no_water"):
         if extra in target:
             row[extra] = target[extra]
     if value is None:

@@ -77,6 +77,7 @@ KEYS: dict[str, Key] = {
     "target.column": Key("text", "column of history.csv", required=True),
     "target.reduce": Key("text", "which value of the column",
                          choices=("max", "min", "final", "time_of_max", "mean")),
+    "target.until": Key("number", "only rows of history.csv up to this time count", "s", above=0),
     "target.reference": Key("number", "published or analytic value", required=True),
     "target.tolerance": Key("number", "largest relative error that passes", "-", above=0),
     "target.tolerance_absolute": Key("number", "largest error that passes, in the column's unit",

@@ -75,6 +75,12 @@ class Report(unittest.TestCase):
         names = {q["name"]: (q["value"], q["unit"]) for q in summary["quantities"]}
         self.assertEqual((names["max_air_m"], names["air_m"]), ((2.0, "m"), (1.0, "m")))
 
+    def test_target_up_to_a_time(self) -> None:
+        history = {"time_s": np.array([0.0, 1, 2, 3]), "v_m_s": np.array([1.0, 5, 2, 9])}
+        target = {"name": "first peak", "column": "v_m_s", "reference": 5.0, "tolerance": 0.1, "source": "here"}
+        self.assertEqual(results.judge({**target, "until": 2.5}, history)["value"], 5.0)
+        self.assertEqual(results.judge(target, history)["value"], 9.0)
+
     def test_failure_takes_its_reason_from_the_programs(self) -> None:
         (self.run_dir / "failure.txt").write_text("dem rank 0 of 1: NaN\n")
         summary = report.finish(self.run_dir, {}, 1)
