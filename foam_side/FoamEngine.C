@@ -204,7 +204,7 @@ void FoamEngine::exchange(Table::ConstColumn drag_kg_s, Table::ConstColumn veloc
   self.flow->setDrag(std::move(drag));
 }
 
-void FoamEngine::advance(Window const& window) {
+void FoamEngine::advance(Window const& window) try {
   Impl& self = *impl_;
   if (self.particles > 0) self.weigh();
   if (window.index == 0) {
@@ -214,6 +214,9 @@ void FoamEngine::advance(Window const& window) {
   }
   self.observe();
   self.write(window.t1_s);
+} catch (Foam::error const& problem) {  // callers know no OpenFOAM
+  Info << problem << endl;
+  throw std::runtime_error("OpenFOAM: " + problem.message());
 }
 
 void FoamEngine::Impl::observe() {

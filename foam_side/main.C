@@ -21,17 +21,13 @@ void sendOutputTo(std::filesystem::path const& log, MPI_Comm comm) {
   if (rank != 0) std::freopen(log.c_str(), "a", stdout);
 }
 
-[[noreturn]] void fail(Session const& session, Foam::error const& problem, int status) {
-  Foam::Info << problem << Foam::endl;
-  session.fail("OpenFOAM: " + problem.message(), status);
-}
-
 // A case that OpenFOAM cannot open is bad input (2); what happens later is a failed run (1).
 std::unique_ptr<foam::FoamEngine> open(Session& session) {
   try {
     return std::make_unique<foam::FoamEngine>(session.scene(), session.comm());
   } catch (Foam::error const& problem) {
-    fail(session, problem, 2);
+    Foam::Info << problem << Foam::endl;
+    session.fail("OpenFOAM: " + problem.message(), 2);
   }
 }
 
@@ -42,11 +38,7 @@ int simulate(Session& session) {
   });
   std::unique_ptr<foam::FoamEngine> const engine = open(session);
   for (auto const& [name, value] : engine->facts()) session.state(name, value);
-  try {
-    return run(session, *engine);
-  } catch (Foam::error const& problem) {
-    fail(session, problem, 1);
-  }
+  return run(session, *engine);
 }
 
 }  // namespace

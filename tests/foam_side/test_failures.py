@@ -1,4 +1,6 @@
 """What goes wrong ends the program within seconds, with the reason on the terminal."""
+import os
+import subprocess
 import time
 import unittest
 
@@ -44,6 +46,28 @@ class Failures(unittest.TestCase):
     def test_no_mesh(self):
         case = kit.Case((8, 1, 8), (8, 1, 8))
         self.expect(case, "Cannot find file")
+
+    def alone(self, case, status, words):
+        """The real program, without particles: reason on the terminal and in failure.txt."""
+        case.controls(end=0.1)
+        case.case(0.1, 0.05, dem="none", more="[physics]\ngravity = [0, 0, -9.81]")
+        done = subprocess.run([os.environ["SLIDEWAVE_FOAM"], str(case.directory)], capture_output=True,
+                              text=True, env=kit.ENVIRONMENT, timeout=30)
+        self.assertEqual(done.returncode, status, done.stderr)
+        self.assertIn(words, done.stderr)
+        self.assertIn(words, (case.directory / "failure.txt").read_text())
+        case.done()
+
+    def test_program_refuses_what_it_cannot_open(self):
+        case = self.lake()
+        case.write("constant/turbulenceProperties", "simulationType LES;")
+        self.alone(case, 2, "only simulationType laminar")
+
+    def test_program_names_an_error_of_a_step(self):
+        case = self.lake()
+        schemes = case.fluid / "system/fvSchemes"
+        schemes.write_text(schemes.read_text().replace("div(phirb,alpha)", "div(other)"))
+        self.alone(case, 1, "div(phirb,alpha)")
 
 
 if __name__ == "__main__":
