@@ -3,7 +3,7 @@
 #include <limits>
 #include <numeric>
 
-#include "LargestBody.H"
+#include "LargeBodies.H"
 #include "Wave.H"
 
 namespace slidewave::foam {
@@ -46,7 +46,7 @@ std::vector<char> lake(WaterView const& view, double threshold) {
     wet[cell] = view.water[cell] >= threshold;
     water_m3(0, cell) = view.water[cell] * view.mesh.V()[cell];
   }
-  return largestBody(view.graph, wet, water_m3);
+  return largeBodies(view.graph, wet, water_m3, 0.05);
 }
 
 Wave::Wave(Scene const& scene, std::string name)

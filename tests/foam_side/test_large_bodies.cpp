@@ -1,9 +1,9 @@
-// The largest body on a row of cells dealt out to the ranks, against a scan of the whole row.
+// Large bodies on a row of cells dealt out to the ranks, against a scan of the whole row.
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "LargestBody.H"
+#include "LargeBodies.H"
 
 namespace slidewave::foam {
 namespace {
@@ -21,25 +21,23 @@ MeshGraph part_of_row(int first, int last, int rank, int size) {
   return graph;
 }
 
-/// Cells of the run of wet cells with the largest sum, by walking the row.
+/// Cells of the runs of wet cells that hold a fifth of the sum, by walking the row.
 std::vector<char> walk(std::vector<char> const& wet, std::vector<double> const& amount) {
   int const cells = static_cast<int>(wet.size());
-  std::vector<char> best(cells, 0);
-  double most = 0;
+  std::vector<char> large(cells, 0);
+  double all = 0;
+  for (int cell = 0; cell < cells; ++cell) all += wet[cell] ? amount[cell] : 0;
   for (int begin = 0; begin < cells; ++begin) {
     if (!wet[begin] || (begin > 0 && wet[begin - 1])) continue;
     int end = begin;
     double sum = 0;
     for (; end < cells && wet[end]; ++end) sum += amount[end];
-    if (sum <= most) continue;
-    most = sum;
-    best.assign(cells, 0);
-    std::fill(best.begin() + begin, best.begin() + end, 1);
+    if (sum >= 0.2 * all) std::fill(large.begin() + begin, large.begin() + end, 1);
   }
-  return best;
+  return large;
 }
 
-TEST(LargestBody, IsTheSameForAnyRanks) {
+TEST(LargeBodies, IsTheSameForAnyRanks) {
   int rank = 0, size = 1;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   MPI_Comm_size(MPI_COMM_WORLD, &size);
@@ -59,7 +57,7 @@ TEST(LargestBody, IsTheSameForAnyRanks) {
       Eigen::MatrixXd const weight =
           Eigen::Map<Eigen::MatrixXd const>(amount.data() + first, 1, last - first);
       std::vector<char> const expected = walk(wet, amount);
-      EXPECT_EQ(largestBody(graph, mine, weight),
+      EXPECT_EQ(largeBodies(graph, mine, weight, 0.2),
                 std::vector<char>(expected.begin() + first, expected.begin() + last))
           << "share " << share << " trial " << trial;
     }

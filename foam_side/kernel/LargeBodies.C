@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "LargestBody.H"
+#include "LargeBodies.H"
 
 namespace slidewave::foam {
 namespace {
@@ -50,8 +50,8 @@ void joinAcrossRanks(MeshGraph const& graph, std::vector<char> const& wet,
 
 }  // namespace
 
-std::vector<char> largestBody(MeshGraph const& graph, std::vector<char> const& wet,
-                              Eigen::MatrixXd const& amount) {
+std::vector<char> largeBodies(MeshGraph const& graph, std::vector<char> const& wet,
+                              Eigen::MatrixXd const& amount, double share) {
   std::vector<int> const body = bodiesOfRank(graph, wet);
   std::vector<int> roots;
   for (int cell = 0; cell < graph.cells(); ++cell) {
@@ -72,9 +72,9 @@ std::vector<char> largestBody(MeshGraph const& graph, std::vector<char> const& w
     if (wet[cell]) sum[label[body[cell]]] += amount(0, cell);
   }
   MPI_Allreduce(MPI_IN_PLACE, sum.data(), total, MPI_DOUBLE, MPI_SUM, graph.comm);
-  int const best = static_cast<int>(std::max_element(sum.begin(), sum.end()) - sum.begin());
+  double const enough = share * std::accumulate(sum.begin(), sum.end(), 0.0);
   for (int cell = 0; cell < graph.cells(); ++cell) {
-    chosen[cell] = wet[cell] && label[body[cell]] == best;
+    chosen[cell] = wet[cell] && sum[label[body[cell]]] >= enough;
   }
   return chosen;
 }
