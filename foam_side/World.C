@@ -35,7 +35,10 @@ void nameDataFolder(int, char** argv, char** environment) {
     longer[count] = environment[count];
   }
   longer[count] = folder;
-  execve("/proc/self/exe", argv, const_cast<char**>(longer));
+  static char path[4096];  // the true path, so that process lists show the program's name
+  if (readlink("/proc/self/exe", path, sizeof(path) - 1) > 0) {
+    execve(path, argv, const_cast<char**>(longer));
+  }
 }
 
 [[gnu::section(".preinit_array"),
