@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <thread>
@@ -47,6 +48,11 @@ void Failure::forget_earlier() const {
   std::filesystem::remove(directory_ / "failure.txt", ignored);
 }
 
+bool Failure::another_failed() const {
+  std::error_code ignored;
+  return std::filesystem::exists(directory_ / "failure.txt", ignored);
+}
+
 void Failure::fail(std::string const& reason, int status) const {
   watched = nullptr;
   std::fflush(nullptr);
@@ -69,6 +75,9 @@ void Failure::fail(std::string const& reason, int status) const {
   MPI_Initialized(&initialised);
   MPI_Finalized(&finalised);
   if (initialised && !finalised) {
+    // An abort that gets stuck is not to keep anybody waiting: dying of a signal ends the job too.
+    std::signal(SIGALRM, SIG_DFL);
+    ::alarm(3);
     PMPI_Abort(MPI_COMM_WORLD, status);
   }
   std::_Exit(status);

@@ -18,6 +18,8 @@ class Failure {
   /// The reason appears once on the terminal and in DIR/failure.txt, whichever rank comes first;
   /// then MPI_Abort of the true world with `status`.
   [[noreturn]] void fail(std::string const& reason, int status) const;
+  /// Another process has recorded its failure: MPI_Abort is on its way, or stuck.
+  bool another_failed() const;
   /// As `rank` becomes known; `who` is e.g. "dem rank 2 of 3".
   void rename(std::string who) { who_ = std::move(who); }
   std::string const& who() const { return who_; }

@@ -4,6 +4,7 @@
 #include <sched.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <thread>
 
 namespace slidewave {
@@ -25,6 +26,14 @@ bool Waiter::Attempt::back_off() {
 }
 
 void Waiter::remind(Attempt& attempt, std::string const& awaited) const {
+  if (!joining_ && attempt.checked_s - attempt.watched_s > 1) {
+    attempt.watched_s = attempt.checked_s;
+    if (failure_.another_failed()) {
+      std::this_thread::sleep_for(
+          std::chrono::seconds(2));  // its MPI_Abort ends this one, if it can
+      std::_Exit(1);
+    }
+  }
   double const waited = attempt.checked_s - attempt.start_s;
   if (waited > patience_s_) {
     std::string const limit =

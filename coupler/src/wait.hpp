@@ -54,6 +54,7 @@ class Waiter {
     double start_s = now_s();
     double spoken_s = start_s;
     double checked_s = start_s;
+    double watched_s = start_s;
     long tries = 0;
     /// Sleeps a little; true about ten times a second, when the clock should be looked at.
     bool back_off();
