@@ -47,6 +47,24 @@ std::string boundaryLetters(fvMesh const& mesh) {
   return letters;
 }
 
+// The spline's own width counts towards the kernel's length: its variance is a quarter of the
+// cell's squared size, that of smoothing over a length L is L^2/2.
+ParticleKernel makeKernel(Scene const& scene, fvMesh const& mesh, MPI_Comm comm) {
+  double const length_m = scene.number("coupling.smoothing_length", 0);
+  MeshGraph graph = graphOfMesh(mesh, comm);
+  std::string const deposit = scene.text("coupling.deposit", length_m > 0 ? "spline" : "centroid");
+  if (deposit == "centroid") {
+    return {Smoother(std::move(graph), length_m), CellStencil(mesh.nCells())};
+  }
+  if (deposit != "spline") {
+    throw InputError((scene.directory() / "case.toml").string(), "coupling.deposit", deposit,
+                     "give spline or centroid");
+  }
+  double const rest_m2 = sqr(length_m) - 0.5 * meanSquaredCellSize(mesh, comm);
+  return {Smoother(std::move(graph), std::sqrt(std::max(rest_m2, 0.0))),
+          CellStencil(shapesOfCells(mesh), periodOfMesh(mesh, comm), comm)};
+}
+
 }  // namespace
 
 struct FoamEngine::Impl {
@@ -72,8 +90,7 @@ struct FoamEngine::Impl {
         foam(scene.directory() / "fluid", parallel, scene.number("case.end_time")),
         flow((refuseUnsupported(foam.mesh()), PorousFlow::New(foam.mesh(), foam.time()))),
         locator(foam.mesh()),
-        kernel(Smoother(graphOfMesh(foam.mesh(), the_comm),
-                        scene.number("coupling.smoothing_length", 0))),
+        kernel(makeKernel(scene, foam.mesh(), the_comm)),
         comm(the_comm),
         output_interval_s(scene.number("output.interval", 0)),
         end_s(scene.number("case.end_time")) {}
@@ -143,7 +160,10 @@ std::vector<Quantity> FoamEngine::quantities() const {
 std::vector<Feature> FoamEngine::features() const {
   bool const two_fluids = impl_->flow->budgets().size() == 2;
   int const steps = impl_->kernel.smoother().steps();
+  bool const spline = impl_->kernel.stencil().isSpline();
   return {{"phase_equation", two_fluids, two_fluids ? "water and air (VOF)" : "one fluid"},
+          {"spline_deposit", spline,
+           spline ? "over the cells around, no jumps" : "each particle in its own cell"},
           {"kernel_smoothing", steps > 0, std::to_string(steps) + " face-flux steps"},
           {"turbulence", false, "laminar: no model has a form for flow in pores"}};
 }
@@ -158,8 +178,8 @@ Home FoamEngine::locate(Vec3 const& position_m, int hint_cell) {
   return impl_->locator.locate(position_m, hint_cell);
 }
 
-void FoamEngine::place(Table::ConstColumn, std::vector<int> const& cell) {
-  impl_->kernel.place(cell);
+void FoamEngine::place(Table::ConstColumn position_m, std::vector<int> const& cell) {
+  impl_->kernel.place(position_m, cell);
   impl_->particles = static_cast<long>(cell.size());
   MPI_Allreduce(MPI_IN_PLACE, &impl_->particles, 1, MPI_LONG, MPI_SUM, impl_->comm);
   impl_->weighed = false;

@@ -66,7 +66,7 @@ def prepare(case: Case, directory: Path, ranks_fluid: int | None = None,
         _mesh(fluid, directory)
     known = facts.gather(case, directory)
     sides.check(case, known)
-    _fill_smoothing_length(case, known)
+    _fill_kernel(case, known)
     if fluid:
         fluid_ranks = ranks_fluid or ranks.suggested(known.mesh.cells, ranks.CELLS_A_RANK)
         _decompose(fluid, directory, known.mesh, fluid_ranks)
@@ -108,10 +108,15 @@ def _decompose(fluid: Path, directory: Path, mesh: facts.MeshFacts, count: int) 
                      places.openfoam_environment(), directory)
 
 
-def _fill_smoothing_length(case: Case, known: facts.Facts) -> None:
-    """max(1.5 D_max, 1.5 cell size) [m] where the case gives none and the particles act on the fluid."""
+def _fill_kernel(case: Case, known: facts.Facts) -> None:
+    """Length of the kernel, max(1.5 D_max, 1.5 cell size) [m], and its deposit, where the case gives
+    none and the particles act on the fluid."""
     if case.get("coupling.reaction") != "two_way" or known.mesh is None:
         return
     if case.get("coupling.smoothing_length") is None:
         length = 1.5 * max(known.largest_diameter_m or 0.0, known.mesh.cell_size_m)
         case.put("coupling.smoothing_length", float(f"{length:.6g}"))
+    if case.get("coupling.deposit") is None:
+        diameter = known.largest_diameter_m
+        small = diameter is not None and diameter <= known.mesh.cell_size_m / 4
+        case.put("coupling.deposit", "centroid" if small else "spline")

@@ -40,6 +40,10 @@ KEYS: dict[str, Key] = {
                             choices=("error", "warn", "ignore")),
     "coupling.smoothing_length": Key("number", "length of the void-fraction kernel; default "
                                      "max(1.5 D_max, 1.5 cell size)", "m", above=0),
+    "coupling.deposit": Key("text", "how a particle's volume reaches the cells before smoothing: spline, "
+                            "over the cells around, without jumps; centroid, to its cell (cheaper); "
+                            "default spline where D_max exceeds a quarter of the cell",
+                            choices=("spline", "centroid")),
     "models.drag": Key("text", "voidage function of the drag law", choices=("di_felice", "none")),
     "models.drag_coefficient": Key("text", "drag coefficient of one sphere",
                                    choices=("brown_lawler",)),

@@ -23,6 +23,15 @@ MeshGraph row(int cells, double growth = 1) {
   return graph;
 }
 
+ParticleKernel centroidKernel(MeshGraph const& graph, double length) {
+  return {Smoother(graph, length), CellStencil(graph.cells())};
+}
+
+void place(ParticleKernel& kernel, std::vector<int> const& cells) {
+  MatrixXd const nowhere = MatrixXd::Zero(3, static_cast<long>(cells.size()));
+  kernel.place(Table::ConstColumn(nowhere.data(), 3, nowhere.cols()), cells);
+}
+
 double product(MeshGraph const& graph, MatrixXd const& a, MatrixXd const& b) {
   Eigen::Map<Eigen::RowVectorXd const> const volume(graph.volume_m3.data(), graph.cells());
   return (a.array() * b.array() * volume.array()).sum();
@@ -64,8 +73,8 @@ TEST(Smoother, ZeroLengthChangesNothing) {
 }
 
 TEST(ParticleKernel, SampleIsTheTransposeOfDeposit) {
-  ParticleKernel kernel(Smoother(row(30, 1.1), 6));
-  kernel.place({3, 3, 17, 29, 0});
+  ParticleKernel kernel = centroidKernel(row(30, 1.1), 6);
+  place(kernel, {3, 3, 17, 29, 0});
   MatrixXd const amounts = (MatrixXd(1, 5) << 1, 2, 0.5, 3, 0.1).finished();
   MatrixXd const field =
       MatrixXd::NullaryExpr(1, 30, [](long, long i) { return std::sin(0.3 * i); });
@@ -75,8 +84,8 @@ TEST(ParticleKernel, SampleIsTheTransposeOfDeposit) {
 }
 
 TEST(SolidFraction, KeepsTheVolumeWhenItIsBounded) {
-  ParticleKernel kernel(Smoother(row(30), 1.5));
-  kernel.place({15, 15, 16});
+  ParticleKernel kernel = centroidKernel(row(30), 1.5);
+  place(kernel, {15, 15, 16});
   SolidFraction solid;
   solid.deposit(kernel, (MatrixXd(1, 3) << 2, 2, 1.5).finished());
   EXPECT_NEAR(solid.volume_m3(kernel), 5.5, 5.5e-12);
@@ -85,8 +94,8 @@ TEST(SolidFraction, KeepsTheVolumeWhenItIsBounded) {
 }
 
 TEST(SolidFraction, LeavesAModestDepositAlone) {
-  ParticleKernel kernel(Smoother(row(30), 3));
-  kernel.place({15});
+  ParticleKernel kernel = centroidKernel(row(30), 3);
+  place(kernel, {15});
   SolidFraction solid;
   solid.deposit(kernel, MatrixXd::Constant(1, 1, 0.5));
   EXPECT_EQ(solid.moved_m3(), 0);
