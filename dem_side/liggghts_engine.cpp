@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "atom.h"
+#include "contact_scale.h"
 #include "domain.h"
 #include "error_route.h"
 #include "fix_slidewave.h"
@@ -14,6 +15,7 @@
 #include "lammps.h"
 #include "modify.h"
 #include "output.h"
+#include "pair_style.h"
 #include "registry.h"
 #include "script_scan.h"
 #include "stock_facts.h"
@@ -50,6 +52,14 @@ void send_screen_to(fs::path const& log, MPI_Comm comm, int rank) {
   ::dup2(file, STDOUT_FILENO);
   ::close(file);
   std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
+}
+
+Feature contact_kernel() {
+  OwnPairs const* const pairs = OwnPairs::current();
+  return {"contact_kernel", pairs != nullptr,
+          pairs ? pairs->name() + ", " + std::to_string(pairs->numbers()) +
+                      " numbers of history a contact"
+                : "packaged contact law"};
 }
 
 fs::path case_file(Session const& session) {
@@ -96,6 +106,8 @@ void LiggghtsEngine::set_up_scene() {
                          : "remove it: VTK dumps hang a coupled run, and particles are written to "
                            "dem/particles.vtk.series anyway");
   }
+  ContactScaling const scaling = contact_scaling(scene.text("models.contact_scaling", "none"));
+  contact_scale() = slidewave::contact_scale(scaling, scene.number("parameters.coarse_grain", 1.0));
   InsideLiggghts const inside;
   char words[][12] = {"slidewave", "-log", "none"};
   char* arguments[] = {words[0], words[1], words[2]};
@@ -114,6 +126,11 @@ void LiggghtsEngine::set_up_scene() {
     throw InputError(script.string(), "create_box or read_data", "missing", "give the scene a box");
   }
   quote_script_of(nullptr);
+  if (scaling != ContactScaling::none && !OwnPairs::current()) {
+    throw InputError(case_file(session_).string(), "models.contact_scaling",
+                     scene.text("models.contact_scaling"),
+                     "scales model linear only; take that contact law, or none");
+  }
   // LIGGGHTS by default lets particles go in silence.
   std::string const lost = "thermo_modify lost " + scene.text("coupling.outside", "error");
   lmp_->input->one(lost.c_str());
@@ -145,6 +162,10 @@ Box LiggghtsEngine::bounds() const {
 std::vector<Feature> LiggghtsEngine::features() const {
   return {{"fluid_kick", session_.has_partner(),
            session_.has_partner() ? "exponential half kicks" : "dry scene"},
+          contact_kernel(),
+          {"contact_scaling", contact_scale().stiffness != 1,
+           "models.contact_scaling = " + session_.scene().text("models.contact_scaling", "none") +
+               ", K times " + std::to_string(contact_scale().stiffness)},
           {"particle_layers", session_.scene().number("output.layers", 0.0) > 0, "output.layers"}};
 }
 

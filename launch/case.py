@@ -23,6 +23,7 @@ DEFAULTS = {
     "models.drag_coefficient": "brown_lawler",
     "models.formulation": "A",
     "models.pressure_gradient": True,
+    "models.contact_scaling": "none",
     "fluid.engine": "openfoam",
     "dem.engine": "liggghts",
     "parameters.coarse_grain": 1.0,

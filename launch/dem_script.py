@@ -35,6 +35,8 @@ class DemScene:
     densities: np.ndarray | None = None  # (N,)
     creates: bool = False  # whether any command makes particles
     stiffness_N_m: float | None = None
+    tangential_stiffness_N_m: float | None = None
+    own_law: bool = False  # model linear: tells periodic images apart, scales its constants
     gravity: bool = False
     commands: list[list[str]] = field(default_factory=list)
 
@@ -102,6 +104,8 @@ def read(script: Path, parameters: Path | None = None) -> DemScene:
                 singles.append([_number(w) for w in rest[2:5]])
             elif command == "pair_style":
                 scene.stiffness_N_m = _after(rest, "kn", scene.stiffness_N_m)
+                scene.tangential_stiffness_N_m = _after(rest, "ks", scene.tangential_stiffness_N_m)
+                scene.own_law = "linear" in rest[rest.index("model") + 1:][:1] if "model" in rest else False
             elif command == "set":
                 diameter = _after(rest, "diameter", diameter)
                 density = _after(rest, "density", density)

@@ -42,7 +42,10 @@ def _particles(case: Case, known: Facts) -> dict[str, object]:
     dem = known.dem
     numbers = {"particles": known.particles, "dem_dt_s": case.get("parameters.dem_dt"),
                "coarse_grain": case.get("parameters.coarse_grain"),
-               "stiffness_N_m": dem.stiffness_N_m}
+               "stiffness_N_m": dem.stiffness_N_m,
+               "tangential_stiffness_N_m": dem.tangential_stiffness_N_m,
+               "contact_law": "own" if dem.own_law else "packaged",
+               "contact_scaling": case.get("models.contact_scaling")}
     if dem.diameters is not None and dem.diameters.size:
         numbers["diameter_min_m"] = float(dem.diameters.min())
         numbers["diameter_max_m"] = float(dem.diameters.max())

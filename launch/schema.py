@@ -49,6 +49,9 @@ KEYS: dict[str, Key] = {
                                    choices=("brown_lawler",)),
     "models.formulation": Key("text", "A: particles share the pressure gradient", choices=("A",)),
     "models.pressure_gradient": Key("flag", "pressure-gradient force (buoyancy) on the particles"),
+    "models.contact_scaling": Key("text", "how contact constants follow coarse_grain; none: as given; "
+                                  "proportional: K ~ D; sakai: forces of all grains (docs/contact.md)",
+                                  choices=("none", "proportional", "sakai")),
     "physics.gravity": Key("vector", "acceleration of gravity", "m/s2", required=True),
     "fluid.engine": Key("text", "fluid side; none: a dry scene, no fluid program is started; "
                         "uniform_flow: prescribed by [uniform_flow], one-way only",

@@ -10,12 +10,13 @@ from launch.facts import AXES, Facts
 
 
 def check(case: Case, facts: Facts) -> None:
-    """Refuses an empty scene, particles outside the mesh, unequal periodic sides, and a periodic
-    width that holds fewer than two of the largest particles."""
+    """Refuses an empty scene, particles outside the mesh, unequal periodic sides, a periodic width
+    too small for the contact law, and a scaling that the law does not know."""
     _check_empty(case, facts)
     if case.get("dem.engine") == "none":
         return
     _check_width(case, facts)
+    _check_scaling(case, facts)
     if facts.mesh is not None:
         _check_periodic(case, facts)
         _check_cover(case, facts)
@@ -34,11 +35,22 @@ def _check_width(case: Case, facts: Facts) -> None:
     if largest is None or box is None:
         return
     for axis in range(3):
-        width = box[1, axis] - box[0, axis]
-        if facts.dem.periodic[axis] and width < 2 * largest * (1 - 1e-9):
-            raise InputError(case.directory / case.get("dem.script"), f"periodic width in {AXES[axis]}",
-                             float(width), f"is below two of the largest diameter ({largest:g} m): a pair "
-                             f"would touch through both images; make it at least {2 * largest:g} m")
+        if not facts.dem.periodic[axis]:
+            continue
+        width, key = float(box[1, axis] - box[0, axis]), f"periodic width in {AXES[axis]}"
+        script = case.directory / case.get("dem.script")
+        if facts.dem.own_law and width <= largest:
+            raise InputError(script, key, width, f"is not above the largest diameter ({largest:g} m): a "
+                             "particle would touch its own image; make it wider")
+        if not facts.dem.own_law and width < 2 * largest * (1 - 1e-9):
+            raise InputError(script, key, width, f"is below two of the largest diameter ({largest:g} m): a "
+                             f"pair would touch through both images; make it at least {2 * largest:g} m, or "
+                             "take model linear, which tells images apart")
+
+
+def _check_scaling(case: Case, facts: Facts) -> None:
+    if case.get("models.contact_scaling") != "none" and not facts.dem.own_law:
+        raise case.error("models.contact_scaling", "scales model linear only; take that contact law, or none")
 
 
 def _check_periodic(case: Case, facts: Facts) -> None:

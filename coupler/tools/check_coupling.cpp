@@ -125,8 +125,9 @@ void check_waves(Facts const& facts, Sheet& sheet) {
     return;
   }
   double const diameter = (facts.number("diameter_min_m") + facts.number("diameter_max_m")) / 2;
-  double const speed = limits::skeleton_wave_speed(diameter, density * sphere_volume(diameter),
-                                                   facts.number("stiffness_N_m"));
+  double const speed =
+      limits::skeleton_wave_speed(diameter, density * sphere_volume(diameter),
+                                  contact_scale(facts).stiffness * facts.number("stiffness_N_m"));
   double const window = facts.number("window_s");
   double const run = limits::wave_run(speed, window, facts.number("smoothing_length_m"));
   sheet.at_most(quantity, run, limits::comfortable_wave_run, limits::largest_wave_run,

@@ -28,11 +28,12 @@ void check_step(Facts const& facts, Sheet& sheet) {
                    {"dem_dt_s", "stiffness_N_m", "diameter_min_m", "particle_density_min_kg_m3"})) {
     return;
   }
-  double const kn = facts.number("stiffness_N_m");
+  double const factor = contact_scale(facts).stiffness;
+  double const kn = factor * facts.number("stiffness_N_m");
+  double const ks = factor * facts.number("tangential_stiffness_N_m", 0.9 * kn / factor);
   double const mass = lightest_mass(facts);
-  double const critical =
-      limits::critical_contact_step(mass, kn, facts.number("tangential_stiffness_N_m", 0.9 * kn),
-                                    facts.number("contact_number", limits::usual_contact_number));
+  double const critical = limits::critical_contact_step(
+      mass, kn, ks, facts.number("contact_number", limits::usual_contact_number));
   double const step = facts.number("dem_dt_s");
   double const comfort = limits::comfortable_step_fraction * critical;
   sheet.at_most(quantity, step, comfort, critical, "critical step of the fastest contact mode",
@@ -52,14 +53,15 @@ void check_column(Facts const& facts, Sheet& sheet) {
     return;
   }
   double const bulk = solid_fraction(facts) * facts.number("particle_density_min_kg_m3");
-  double const kn = facts.number("stiffness_N_m");
+  double const factor = contact_scale(facts).stiffness;
+  double const kn = factor * facts.number("stiffness_N_m");
   double const overlap =
       limits::static_overlap(facts.number("column_height_m"), bulk, facts.number("gravity_m_s2"),
                              facts.number("diameter_max_m"), kn);
-  sheet.at_most(
-      quantity, overlap, limits::comfortable_overlap, limits::largest_overlap,
-      "stress of the column over kn/D",
-      {"parameters.kn", limits::stiffness_for_static(overlap, limits::comfortable_overlap, kn)});
+  sheet.at_most(quantity, overlap, limits::comfortable_overlap, limits::largest_overlap,
+                "stress of the column over kn/D",
+                {"parameters.kn",
+                 limits::stiffness_for_static(overlap, limits::comfortable_overlap, kn) / factor});
 }
 
 void check_impact(Facts const& facts, Sheet& sheet) {
@@ -71,12 +73,13 @@ void check_impact(Facts const& facts, Sheet& sheet) {
   }
   double const diameter = facts.number("diameter_max_m");
   double const mass = facts.number("particle_density_min_kg_m3") * sphere_volume(diameter);
-  double const kn = facts.number("stiffness_N_m");
+  double const factor = contact_scale(facts).stiffness;
+  double const kn = factor * facts.number("stiffness_N_m");
   double const overlap = limits::impact_overlap(facts.number("speed_m_s"), mass, diameter, kn);
-  sheet.at_most(
-      quantity, overlap, limits::largest_overlap, 2 * limits::largest_overlap,
-      "collision of two of the largest at the expected speed",
-      {"parameters.kn", limits::stiffness_for_impact(overlap, limits::largest_overlap, kn)});
+  sheet.at_most(quantity, overlap, limits::largest_overlap, 2 * limits::largest_overlap,
+                "collision of two of the largest at the expected speed",
+                {"parameters.kn",
+                 limits::stiffness_for_impact(overlap, limits::largest_overlap, kn) / factor});
 }
 
 void check_periodic(Facts const& facts, Sheet& sheet) {
@@ -85,14 +88,22 @@ void check_periodic(Facts const& facts, Sheet& sheet) {
   }
   std::string const quantity = "periodic width [m]";
   if (sheet.needs(facts, quantity, {"diameter_max_m"})) {
-    double const least = limits::periodic_width(facts.number("diameter_max_m"));
+    bool const own = facts.text("contact_law", "packaged") == "own";
+    double const least = limits::periodic_width(facts.number("diameter_max_m"), own);
     sheet.at_least(quantity, facts.number("periodic_width_m"), least * (1 - 1e-9),
-                   least * (1 - 1e-9), "two largest diameters: contact history by particle",
+                   least * (1 - 1e-9),
+                   own ? "a largest diameter: no particle touches its own image"
+                       : "two largest diameters: contact history by particle",
                    {"parameters.width", least});
   }
 }
 
 }  // namespace
+
+ContactScale contact_scale(Facts const& facts) {
+  return slidewave::contact_scale(contact_scaling(facts.text("contact_scaling", "none")),
+                                  facts.number("coarse_grain", 1));
+}
 
 double sphere_volume(double diameter_m) {
   return M_PI / 6 * std::pow(diameter_m, 3);

@@ -4,6 +4,7 @@
 
 #include "facts.hpp"
 #include "sheet.hpp"
+#include "slidewave/physics/clump.hpp"
 
 namespace slidewave::preflight {
 
@@ -16,6 +17,8 @@ void check_names(Facts const& facts, Sheet& sheet);
 
 /// Volume of a sphere [m3].
 double sphere_volume(double diameter_m);
+/// Factors from the contact constants of the case to those of a particle: 1 unless it scales them.
+ContactScale contact_scale(Facts const& facts);
 /// Share of space that the particles take where they are densest, and where it comes from.
 double solid_fraction(Facts const& facts);
 

@@ -65,6 +65,8 @@ std::vector<std::string> const& known_facts() {
                                               "particle_density_min_kg_m3",
                                               "stiffness_N_m",
                                               "tangential_stiffness_N_m",
+                                              "contact_law",
+                                              "contact_scaling",
                                               "contact_number",
                                               "column_height_m",
                                               "solid_fraction",
@@ -106,6 +108,7 @@ void add_case(Scene const& scene, Facts& facts) {
   facts.add_missing("drag", scene.text("models.drag", "di_felice"));
   facts.add_missing("drag_coefficient", scene.text("models.drag_coefficient", "brown_lawler"));
   facts.add_missing("formulation", scene.text("models.formulation", "A"));
+  facts.add_missing("contact_scaling", scene.text("models.contact_scaling", "none"));
 }
 
 }  // namespace slidewave::preflight

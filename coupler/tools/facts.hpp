@@ -7,8 +7,9 @@
 //   particles diameter_min_m diameter_max_m               number of particles, their sizes
 //   particle_density_min_kg_m3                            lightest material
 //   stiffness_N_m tangential_stiffness_N_m                kn, ks (default 0.9 kn)
-//   contact_number                                        of the smallest particle (default 5)
-//   column_height_m                                       highest column of particles
+//   contact_law contact_scaling                           "own" or "packaged"; clump.hpp, of the
+//   above contact_number                                        of the smallest particle (default
+//   5) column_height_m                                       highest column of particles
 //   solid_fraction                                        of the densest part (default 0.6, or what
 //                                                         few particles make of their kernel)
 //   periodic_width_m                                      narrowest periodic direction

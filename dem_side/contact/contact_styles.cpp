@@ -10,6 +10,7 @@
 // clang-format on
 
 #include "normal_model_linear.h"
+#include "pair_style.h"
 #include "rolling_model_iwashita_oda.h"
 #include "rolling_model_jiang.h"
 #include "tangential_model_coulomb.h"
@@ -19,24 +20,61 @@ namespace {
 
 namespace models = LIGGGHTS::ContactModels;
 
-template <class Style>
-LIGGGHTS::PairStyles::IGranularPairStyle* new_pair(LAMMPS_NS::LAMMPS* lmp,
-                                                   LAMMPS_NS::PairGran* parent, int64_t hash) {
-  return new LIGGGHTS::PairStyles::Granular<models::ContactModel<Style>>(lmp, parent, hash);
-}
+template <int tangential, int rolling>
+using Style = models::GranStyle<linear_id, tangential, models::COHESION_OFF, rolling,
+                                models::SURFACE_DEFAULT>;
 
-template <class Style>
-LIGGGHTS::Walls::IGranularWall* new_wall(LAMMPS_NS::LAMMPS* lmp, LAMMPS_NS::FixWallGran* parent,
-                                         int64_t hash) {
-  return new LIGGGHTS::Walls::Granular<models::ContactModel<Style>>(lmp, parent, hash);
+// LIGGGHTS' view of OwnPairs.
+template <int tangential, int rolling>
+class PairStyle : public LIGGGHTS::PairStyles::IGranularPairStyle {
+ public:
+  explicit PairStyle(LAMMPS_NS::LAMMPS& lmp)
+      : pairs_(lmp, {tangential == coulomb_id, rolling == jiang_id, rolling == iwashita_oda_id}) {}
+
+  void settings(int count, char** arguments, LIGGGHTS::IContactHistorySetup*) override {
+    pairs_.settings(count, arguments);
+  }
+  void init_granular() override { pairs_.init(); }
+  void compute_force(LAMMPS_NS::PairGran* pair, int eflag, int vflag, int) override {
+    pairs_.compute(*pair, eflag, vflag);
+  }
+  void write_restart_settings(FILE* file) override {
+    int64_t const code = hashcode();
+    std::fwrite(&code, sizeof(code), 1, file);
+  }
+  void read_restart_settings(FILE*, int64_t) override {}
+  int get_history_offset(std::string) override { return -1; }
+  double stressStrainExponent() override { return 1; }
+  int64_t hashcode() override { return Style<tangential, rolling>::HASHCODE; }
+  bool contact_match(std::string kind, std::string model) override {
+    models::Factory& names = models::Factory::instance();
+    return (kind == "normal" && names.getNormalModelId(model) == linear_id) ||
+           (kind == "tangential" && names.getTangentialModelId(model) == tangential) ||
+           (kind == "rolling_friction" && names.getRollingModelId(model) == rolling);
+  }
+
+ private:
+  OwnPairs pairs_;
+};
+
+template <int tangential, int rolling>
+LIGGGHTS::PairStyles::IGranularPairStyle* new_pair(LAMMPS_NS::LAMMPS* lmp, LAMMPS_NS::PairGran*,
+                                                   int64_t) {
+  return new PairStyle<tangential, rolling>(*lmp);
 }
 
 template <int tangential, int rolling>
-void add_kernel() {
-  using Style = models::GranStyle<linear_id, tangential, models::COHESION_OFF, rolling,
-                                  models::SURFACE_DEFAULT>;
-  LIGGGHTS::PairStyles::Factory::instance().addStyle("gran", Style::HASHCODE, new_pair<Style>);
-  LIGGGHTS::Walls::Factory::instance().addStyle("gran", Style::HASHCODE, new_wall<Style>);
+LIGGGHTS::Walls::IGranularWall* new_wall(LAMMPS_NS::LAMMPS* lmp, LAMMPS_NS::FixWallGran* parent,
+                                         int64_t hash) {
+  using Model = models::ContactModel<Style<tangential, rolling>>;
+  return new LIGGGHTS::Walls::Granular<Model>(lmp, parent, hash);
+}
+
+template <int tangential, int rolling>
+void add_laws() {
+  int64_t const code = Style<tangential, rolling>::HASHCODE;
+  LIGGGHTS::PairStyles::Factory::instance().addStyle("gran", code, new_pair<tangential, rolling>);
+  LIGGGHTS::Walls::Factory::instance().addStyle("gran", code, new_wall<tangential, rolling>);
 }
 
 }  // namespace
@@ -52,10 +90,10 @@ void register_contact_styles() {
   names.addTangentialModel("coulomb", coulomb_id);
   names.addRollingModel("jiang", jiang_id);
   names.addRollingModel("iwashita_oda", iwashita_oda_id);
-  add_kernel<models::TANGENTIAL_OFF, models::ROLLING_OFF>();
-  add_kernel<coulomb_id, models::ROLLING_OFF>();
-  add_kernel<coulomb_id, jiang_id>();
-  add_kernel<coulomb_id, iwashita_oda_id>();
+  add_laws<models::TANGENTIAL_OFF, models::ROLLING_OFF>();
+  add_laws<coulomb_id, models::ROLLING_OFF>();
+  add_laws<coulomb_id, jiang_id>();
+  add_laws<coulomb_id, iwashita_oda_id>();
 }
 
 }  // namespace slidewave::dem

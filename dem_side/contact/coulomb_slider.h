@@ -17,9 +17,11 @@ struct CoulombSlider {
   double mu = 0;
   double zeta = 0;
 
-  /// Gives the force on the first body; `s` (3 numbers) is changed only if `advance`.
-  void force(double* s, double const* normal, double const* v_t, double dt_s, double normal_force_N,
-             double m_eff, bool advance, double* out) const {
+  /// Gives the force on the first body; `s` (3 numbers) is changed only if `advance`. Returns the
+  /// energy [J] lost in this step, by sliding (mean of the force before and after, times the slip)
+  /// and in the dashpot; 0 unless `advance`.
+  double force(double* s, double const* normal, double const* v_t, double dt_s,
+               double normal_force_N, double m_eff, bool advance, double* out) const {
     double now[3] = {s[0], s[1], s[2]};
     if (advance) {
       for (int k = 0; k < 3; ++k) {
@@ -30,18 +32,35 @@ struct CoulombSlider {
         now[k] -= off * normal[k];
       }
     }
-    double const length_m = std::sqrt(now[0] * now[0] + now[1] * now[1] + now[2] * now[2]);
+    double const square = now[0] * now[0] + now[1] * now[1] + now[2] * now[2];
     double const limit_N = mu * std::abs(normal_force_N);
-    bool const slides = ks * length_m > limit_N;
-    double const kept = slides ? limit_N / (ks * length_m) : 1.0;
-    double const gamma = slides || zeta == 0 ? 0.0 : 2 * zeta * std::sqrt(ks * m_eff);
-    for (int k = 0; k < 3; ++k) {
-      now[k] *= kept;
-      out[k] = -ks * now[k] - gamma * v_t[k];
-      if (advance) {
-        s[k] = now[k];
+    double lost_J = 0;
+    if (ks * ks * square > limit_N * limit_N) {
+      double const kept = limit_N / (ks * std::sqrt(square));
+      double along = 0;
+      for (int k = 0; k < 3; ++k) {
+        double const held = now[k] * kept;
+        along += (s[k] + held) * (now[k] - held);
+        now[k] = held;
+        out[k] = -ks * held;
+      }
+      lost_J = 0.5 * ks * along;
+    } else {
+      double const gamma = zeta == 0 ? 0.0 : 2 * zeta * std::sqrt(ks * m_eff);
+      for (int k = 0; k < 3; ++k) {
+        out[k] = -ks * now[k] - gamma * v_t[k];
+      }
+      if (zeta != 0) {
+        lost_J = gamma * dt_s * (v_t[0] * v_t[0] + v_t[1] * v_t[1] + v_t[2] * v_t[2]);
       }
     }
+    if (!advance) {
+      return 0.0;
+    }
+    for (int k = 0; k < 3; ++k) {
+      s[k] = now[k];
+    }
+    return lost_J;
   }
 };
 

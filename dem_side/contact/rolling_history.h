@@ -1,6 +1,7 @@
-// What both rolling models share: history, signs, where the moment goes.
+// What both rolling models of walls share: history, signs, where the moment goes.
 #pragma once
 
+#include "contact_books.h"
 #include "contact_models.h"
 #include "rolling_laws.h"
 #include "update.h"
@@ -30,32 +31,42 @@ class RollingHistory {
   /// Adds the moments; `twisting` is used only if twist is kept.
   void act(LIGGGHTS::ContactModels::SurfacesIntersectData const& contact, double dt_s,
            RotationSpring const& rolling, RotationSpring const& twisting,
-           LIGGGHTS::ContactModels::ForceData& on_i,
-           LIGGGHTS::ContactModels::ForceData& on_j) const {
+           LIGGGHTS::ContactModels::ForceData& on_i) const {
     bool const advance = contact.computeflag && contact.shearupdate;
-    double omega[3];
-    for (int k = 0; k < 3; ++k) {
-      omega[k] = contact.omega_i[k] - (contact.is_wall ? 0.0 : contact.omega_j[k]);
-    }
+    double* const theta = contact.contact_history + rolling_;
+    double const before_J = stored(contact, rolling, twisting);
     double moment[3];
-    rolling_moment(rolling, contact.contact_history + rolling_, contact.en, omega, dt_s, advance,
-                   moment);
+    double lost_J =
+        rolling_moment(rolling, theta, contact.en, contact.omega_i, dt_s, advance, moment);
     if (twist_ >= 0) {
       double const* const n = contact.en;
+      double const* const omega = contact.omega_i;
       double const omega_n = omega[0] * n[0] + omega[1] * n[1] + omega[2] * n[2];
-      double const along =
-          twisting_moment(twisting, contact.contact_history + twist_, omega_n, dt_s, advance);
+      double const along = twisting_moment(twisting, contact.contact_history + twist_, omega_n,
+                                           dt_s, advance, lost_J);
       for (int k = 0; k < 3; ++k) {
         moment[k] += along * n[k];
       }
     }
     for (int k = 0; k < 3; ++k) {
       on_i.delta_torque[k] += moment[k];
-      on_j.delta_torque[k] -= moment[k];
+    }
+    if (contact.computeflag) {
+      double const after_J = stored(contact, rolling, twisting);
+      wall_books().now.rolling += after_J;
+      wall_books().stored.rolling += advance ? after_J - before_J + lost_J : 0.0;
     }
   }
 
  private:
+  double stored(LIGGGHTS::ContactModels::SurfacesIntersectData const& contact,
+                RotationSpring const& rolling, RotationSpring const& twisting) const {
+    double const* const theta = contact.contact_history + rolling_;
+    double const angle = twist_ >= 0 ? contact.contact_history[twist_] : 0.0;
+    return 0.5 * rolling.k * (theta[0] * theta[0] + theta[1] * theta[1] + theta[2] * theta[2]) +
+           0.5 * twisting.k * angle * angle;
+  }
+
   int rolling_ = -1;
   int twist_ = -1;
 };

@@ -1,10 +1,10 @@
-// rolling_friction jiang shape b crushing zeta_c [twist on|off]: Jiang 2015 (rolling_laws.h) for
-// pairs and walls. shape 0 means no resistance: no history is kept. Twisting needs tangential
-// coulomb.
+// rolling_friction jiang for walls: rolling_laws.h (keywords: law_settings.h). shape 0 means no
+// resistance: no history is kept. Twisting needs tangential coulomb.
 #pragma once
 
+#include "contact_scale.h"
+#include "law_settings.h"
 #include "model_ids.h"
-#include "model_settings.h"
 #include "rolling_history.h"
 
 namespace LIGGGHTS::ContactModels {
@@ -16,43 +16,29 @@ class RollingModel<slidewave::dem::jiang_id> : public RollingModelBase {
       : RollingModelBase(lammps, setup, model) {}
 
   void registerSettings(Settings& settings) override {
-    settings.registerDoubleSetting("shape", law_.shape, slidewave::dem::not_given);
-    settings.registerDoubleSetting("crushing", law_.crushing, slidewave::dem::not_given);
+    slidewave::dem::read_jiang(settings, law_, twist_);
     settings.registerDoubleSetting("ks", ks_, slidewave::dem::not_given);
     settings.registerDoubleSetting("mu", mu_, slidewave::dem::not_given);
-    settings.registerOnOff("twist", twist_, false);
   }
   void postSettings(IContactHistorySetup* setup, ContactModelBase*) override {
+    slidewave::dem::scale_stiffness(ks_);
     if (law_.shape > 0) {
       history_.keep(*setup, twist_);
     }
   }
-  void connectToProperties(PropertyRegistry&) override {
-    slidewave::dem::need_not_negative(*error, "jiang", "shape", law_.shape, "(of the radius)");
-    if (law_.shape > 0) {
-      slidewave::dem::need_positive(*error, "jiang", "crushing", law_.crushing,
-                                    "(it sets the limit moment)");
-    }
-  }
-  void surfacesIntersect(SurfacesIntersectData& contact, ForceData& on_i,
-                         ForceData& on_j) override {
+  void connectToProperties(PropertyRegistry&) override { slidewave::dem::check(*error, law_); }
+
+  void surfacesIntersect(SurfacesIntersectData& contact, ForceData& on_i, ForceData&) override {
     if (!history_.kept()) {
       return;
     }
-    if (contact.contact_flags) {
-      *contact.contact_flags |= CONTACT_ROLLING_MODEL;
-    }
-    double const reduced_m =
-        slidewave::dem::reduced_radius(contact.radi, contact.radj, contact.is_wall);
+    double const reduced_m = slidewave::dem::reduced_radius(contact.radi, 0, true);
     slidewave::dem::RotationSpring const twisting =
         twist_ ? law_.twisting(ks_, mu_, contact.Fn, reduced_m) : slidewave::dem::RotationSpring{};
     history_.act(contact, update->dt, law_.rolling(contact.kn, contact.Fn, reduced_m), twisting,
-                 on_i, on_j);
+                 on_i);
   }
   void surfacesClose(SurfacesCloseData& contact, ForceData&, ForceData&) override {
-    if (contact.contact_flags) {
-      *contact.contact_flags &= ~CONTACT_ROLLING_MODEL;
-    }
     history_.forget(contact);
   }
   void beginPass(SurfacesIntersectData&, ForceData&, ForceData&) override {}

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "force.h"
-#include "pair_gran.h"
+#include "pair_style.h"
 #include "small_scene.h"
 
 namespace {
@@ -179,7 +178,7 @@ TEST(Walls, MeshActsAsThePlane) {
 TEST(History, IsKeptOnlyWhereALawNeedsIt) {
   struct Case {
     std::string law;
-    int numbers;
+    std::size_t numbers;
   };
   for (Case const& one : std::vector<Case>{
            {"", 0},
@@ -198,14 +197,17 @@ TEST(History, IsKeptOnlyWhereALawNeedsIt) {
     scene.sphere(4.9, 5, 5, 0.2);
     scene.sphere(5.09, 5, 5, 0.2);
     scene.lines({"fix integrate all nve/sphere", "timestep 1e-5", "run 100"});
-    auto* const pair = dynamic_cast<LAMMPS_NS::PairGran*>(scene.lmp().force->pair);
-    ASSERT_TRUE(pair);
-    EXPECT_EQ(pair->dnum(), one.numbers) << one.law;
+    auto const* const pairs = slidewave::dem::OwnPairs::current();
+    ASSERT_TRUE(pairs);
+    EXPECT_EQ(pairs->numbers(), one.numbers) << one.law;
     EXPECT_GT(scene.v(2, 0), 0) << one.law;
   }
 }
 
-// Where the laws coincide the packaged kernel and ours give the same pile.
+// Where the laws coincide the packaged kernel and ours give the same pile: up to the first contact
+// that opens and closes again. LIGGGHTS 3.8 keeps the spring of an open contact as long as the pair
+// is in the neighbour list (surfacesClose is not called at its contact distance factor of 1); our
+// law starts a contact without strain.
 TEST(Coulomb, AgreesWithThePackagedLaw) {
   int const spheres = 60;
   double end[2][spheres][3];
@@ -228,7 +230,7 @@ TEST(Coulomb, AgreesWithThePackagedLaw) {
     }
     scene.wall("floor", law, "primitive type 1 zplane 0");
     scene.lines({"fix integrate all nve/sphere", "fix weight all gravity 9.81 vector 0.1 0 -1",
-                 "velocity all ramp vx 0 2 z 0 5 units box", "timestep 0.0004", "run 1000"});
+                 "velocity all ramp vx 0 2 z 0 5 units box", "timestep 0.0004", "run 700"});
     for (int n = 0; n < spheres; ++n) {
       for (int axis = 0; axis < 3; ++axis) {
         end[own][n][axis] = scene.x(n + 1, axis);

@@ -66,6 +66,8 @@ TEST(Resolution, LengthsFollowTheLarger) {
   EXPECT_EQ(limits::smoothing_length(4, 1), 6);
   EXPECT_EQ(limits::smoothing_length(1, 4), 6);
   EXPECT_EQ(limits::periodic_width(7.6), 15.2);  // the dry trial of VAJONT.md
+  EXPECT_GT(limits::periodic_width(7.6, true), 7.6);
+  EXPECT_LT(limits::periodic_width(7.6, true), 1.01 * 7.6);
   EXPECT_EQ(limits::cell_per_diameter(10, 4), 2.5);
 }
 

@@ -20,10 +20,11 @@ inline double smoothing_length(double largest_diameter_m, double cell_m) {
   return 1.5 * std::max(largest_diameter_m, cell_m);
 }
 
-/// Narrowest periodic direction [m]: two diameters, or pairs that touch through both images share
-/// one contact history and the whole mass drifts (VAJONT.md).
-inline double periodic_width(double largest_diameter_m) {
-  return 2 * largest_diameter_m;
+/// Narrowest periodic direction [m]. Packaged contact laws: two diameters, or pairs that touch
+/// through both images share one contact history and the whole mass drifts. Laws that tell images
+/// apart (model linear): just over one, or a particle touches its own image.
+inline double periodic_width(double largest_diameter_m, bool images_told_apart = false) {
+  return (images_told_apart ? 1.001 : 2) * largest_diameter_m;
 }
 
 }  // namespace slidewave::limits
