@@ -20,6 +20,7 @@ LAMMPS_NS::FixPropertyAtom* add_atom_column(LAMMPS_NS::LAMMPS& lmp, std::string 
     words.emplace_back(text);
   }
   std::vector<char*> arguments;
+  arguments.reserve(words.size());
   for (std::string& word : words) {
     arguments.push_back(word.data());
   }

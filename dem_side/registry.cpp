@@ -1,5 +1,6 @@
 #include "registry.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <map>
@@ -76,7 +77,7 @@ void refused_rerun(LAMMPS*, int, char**) {
 void register_styles(LAMMPS& lmp) {
   // One error in five of a PUBLIC version is replaced by a joke, from memory already freed.
   if (char* const edition = std::strstr(lmp.universe->version, "PUBLIC")) {
-    std::memcpy(edition, "public", 6);
+    std::copy_n("public", 6, edition);
   }
   register_contact_styles();
   fix_map(lmp)["slidewave"] = &create<LAMMPS_NS::FixSlidewave>;

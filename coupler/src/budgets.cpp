@@ -1,5 +1,7 @@
 #include "budgets.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numeric>
 
@@ -16,7 +18,7 @@ double ratio(double part, double whole) {
 void add_vector(std::vector<Quantity>& columns, std::string const& name, std::string const& unit,
                 double const* values) {
   for (int k = 0; k < 3; ++k) {
-    columns.push_back({name + "_" + "xyz"[k] + "_" + unit, values[k]});
+    columns.push_back({fmt::format("{}_{}_{}", name, "xyz"[k], unit), values[k]});
   }
 }
 

@@ -7,7 +7,7 @@ namespace {
 
 std::string choice(Scene const& scene, std::string const& key, std::string const& otherwise,
                    std::vector<std::string> const& allowed) {
-  std::string const value = scene.text(key, otherwise);
+  std::string value = scene.text(key, otherwise);
   std::string list;
   for (std::string const& option : allowed) {
     if (value == option) {

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace slidewave {
 namespace {
 
 std::string clock_text(double seconds) {
-  long const s = static_cast<long>(seconds + 0.5);
+  long const s = std::lround(seconds);
   return s < 3600 ? fmt::format("{}:{:02}", s / 60, s % 60)
                   : fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60);
 }

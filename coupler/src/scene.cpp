@@ -146,6 +146,7 @@ std::vector<std::string> Scene::keys(std::string const& table) const {
   }
   std::sort(found.begin(), found.end());
   std::vector<std::string> names;
+  names.reserve(found.size());
   for (auto const& [position, name] : found) {
     names.push_back(name);
   }

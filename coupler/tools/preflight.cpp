@@ -45,7 +45,7 @@ Options parse(int argc, char** argv) {
 
 nlohmann::json read_facts(std::istream& stream, std::string const& name) {
   try {
-    auto const facts = nlohmann::json::parse(stream);
+    auto facts = nlohmann::json::parse(stream);
     if (facts.is_object()) {
       return facts;
     }
