@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from launch import places, ranks
 from launch.case import Case
 
 FLUID_FILES = ("system/controlDict", "system/fvSchemes", "system/fvSolution")
@@ -24,13 +25,24 @@ def check(case: Case) -> None:
     """Refuses missing files, times that do not fit, and a scene with neither fluid nor particles."""
     _check_files(case)
     _check_times(case)
+    _check_optional(case)
+
+
+def _check_optional(case: Case) -> None:
+    """An engine that this machine lacks is named before anything starts."""
+    name = ranks.DEM_PROGRAMS.get(case.get("dem.engine"), "")
+    package = ranks.OPTIONAL_PACKAGES.get(name)
+    if package and not places.program(name).is_file():
+        raise case.error("dem.engine", f"{name} is not built: install the Debian package {package} "
+                         f"(apt-get install {package}), then ./slidewave setup")
 
 
 def _check_files(case: Case) -> None:
     if case.get("dem.engine") != "none":
         script = case.get("dem.script")
         if script is None:
-            raise case.error("dem.script", "missing: the LIGGGHTS script, e.g. \"dem/in.setup\"")
+            raise case.error("dem.script", "missing: the script that sets the particles up, e.g. "
+                                           "\"dem/in.setup\"")
         if script.split("/")[0] != "dem":
             raise case.error("dem.script", "must lie in dem/, e.g. dem/in.setup")
         if not (case.directory / script).is_file():

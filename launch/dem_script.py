@@ -1,4 +1,4 @@
-"""Reads a LIGGGHTS set-up script far enough to know its scene before anything runs: box, periodic
+"""Reads a set-up script of LIGGGHTS or LAMMPS far enough to know its scene before anything runs: box, periodic
 sides, particles that the script or its data file names, walls, contact stiffness. What it cannot
 follow (loops, insertion) it leaves unknown: None."""
 
@@ -21,7 +21,7 @@ OPERATORS = {ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mu
 FUNCTIONS = {"sqrt": math.sqrt, "exp": math.exp, "abs": abs, "tan": math.tan, "sin": math.sin,
              "cos": math.cos, "ceil": math.ceil, "floor": math.floor}
 CREATORS = ("read_data", "read_restart", "create_atoms", "insert/pack", "insert/stream",
-            "insert/rate/region", "insert/rate", "create_particles")
+            "insert/rate/region", "insert/rate", "create_particles", "pour", "deposit")
 
 
 @dataclass
@@ -103,7 +103,7 @@ def read(script: Path, parameters: Path | None = None) -> DemScene:
             elif command == "create_atoms" and rest[1:2] == ["single"]:
                 singles.append([_number(w) for w in rest[2:5]])
             elif command == "pair_style":
-                scene.stiffness_N_m = _after(rest, "kn", scene.stiffness_N_m)
+                scene.stiffness_N_m = _pair_stiffness(rest, scene.stiffness_N_m)
                 scene.tangential_stiffness_N_m = _after(rest, "ks", scene.tangential_stiffness_N_m)
                 scene.own_law = "linear" in rest[rest.index("model") + 1:][:1] if "model" in rest else False
             elif command == "set":
@@ -167,8 +167,16 @@ def _after(words: list[str], key: str, otherwise: float | None) -> float | None:
     return otherwise
 
 
+def _pair_stiffness(rest: list[str], otherwise: float | None) -> float | None:
+    """kn of a pair style: named in slidewave's own laws, the first number in LAMMPS' gran/hooke."""
+    if rest[:1] and rest[0].startswith("gran/hooke") and len(rest) > 1:
+        value = _number(rest[1])
+        return value if math.isfinite(value) else otherwise
+    return _after(rest, "kn", otherwise)
+
+
 def _read_data(path: Path, scene: DemScene) -> None:
-    """Box and atoms of a LIGGGHTS data file with atom style sphere: id type diameter density x y z."""
+    """Box and atoms of a data file with atom style granular or sphere: id type diameter density x y z."""
     if not path.is_file():
         raise InputError(path, "read_data", None, "no such file; the script reads it")
     text = path.read_text()

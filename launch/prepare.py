@@ -23,7 +23,7 @@ simpleCoeffs {{ n ({n[0]} {n[1]} {n[2]}); delta 0.001; }}
 
 @dataclass
 class Prepared:
-    """A complete run directory, its facts, the ranks of both sides, the time it took [s], fluid.engine."""
+    """A complete run directory, its facts, ranks of both sides, time it took [s], engine of each side."""
 
     directory: Path
     facts: facts.Facts
@@ -31,6 +31,7 @@ class Prepared:
     ranks_dem: int
     prepare_s: float
     fluid_engine: str = "openfoam"
+    dem_engine: str = "liggghts"
 
 
 def terrain_hook(case: Case):
@@ -76,7 +77,7 @@ def prepare(case: Case, directory: Path, ranks_fluid: int | None = None,
     dem_ranks = ranks_dem or ranks.suggested(known.particles or 0, ranks.PARTICLES_A_RANK) if dem else 0
     write_case(case, directory, fluid_ranks, dem_ranks)
     return Prepared(directory, known, fluid_ranks, dem_ranks, time.monotonic() - start,
-                    case.get("fluid.engine"))
+                    case.get("fluid.engine"), case.get("dem.engine"))
 
 
 def write_case(case: Case, directory: Path, ranks_fluid: int, ranks_dem: int) -> None:

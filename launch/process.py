@@ -35,7 +35,7 @@ def run(ready: Prepared) -> int:
     SIGINT and SIGTERM ask the programs to leave at the next window end: mpirun hands SIGUSR1 to every
     rank. A second signal ends them at once."""
     words = ranks.mpirun_words(ready.directory, ready.ranks_fluid, ready.ranks_dem,
-                               ready.fluid_engine)
+                               ready.fluid_engine, ready.dem_engine)
     check_programs(words)
     try:
         child = subprocess.Popen(words, env=places.openfoam_environment(), start_new_session=True)

@@ -24,24 +24,30 @@ def suggested(amount: int, per_rank: int) -> int:
 
 
 FLUID_PROGRAMS = {"openfoam": "slidewave_foam", "uniform_flow": "slidewave_uniform"}
+DEM_PROGRAMS = {"liggghts": "slidewave_dem", "lammps": "slidewave_lammps"}
+# Engines that a machine may lack: the Debian package that brings them.
+OPTIONAL_PACKAGES = {"slidewave_lammps": "liblammps-dev"}
 
 
-def sides(directory: Path, fluid: int, dem: int, engine: str) -> list[tuple[int, list[str]]]:
-    """Ranks and command of each side that runs. `engine`: fluid.engine of the case."""
-    programs = [(fluid, FLUID_PROGRAMS.get(engine, "")), (dem, "slidewave_dem")]
+def sides(directory: Path, fluid: int, dem: int, fluid_engine: str,
+          dem_engine: str = "liggghts") -> list[tuple[int, list[str]]]:
+    """Ranks and command of each side that runs; the engines are fluid.engine, dem.engine of the case."""
+    programs = [(fluid, FLUID_PROGRAMS.get(fluid_engine, "")), (dem, DEM_PROGRAMS.get(dem_engine, ""))]
     return [(ranks, [str(program(name)), str(directory)]) for ranks, name in programs if ranks]
 
 
-def mpirun_words(directory: Path, fluid: int, dem: int, engine: str) -> list[str]:
-    """The plain mpirun line: `fluid` ranks of the fluid program and `dem` ranks of slidewave_dem."""
+def mpirun_words(directory: Path, fluid: int, dem: int, fluid_engine: str,
+                 dem_engine: str = "liggghts") -> list[str]:
+    """The plain mpirun line: `fluid` ranks of the fluid program and `dem` ranks of the particles'."""
     words = ["mpirun", "--bind-to", "none", "--mca", "mpi_yield_when_idle", "1", "--oversubscribe"]
     if os.geteuid() == 0:
         words.append("--allow-run-as-root")
-    for number, (ranks, command) in enumerate(sides(directory, fluid, dem, engine)):
+    for number, (ranks, command) in enumerate(sides(directory, fluid, dem, fluid_engine, dem_engine)):
         words += ([":"] if number else []) + ["-np", str(ranks), *command]
     return words
 
 
-def mpirun_line(directory: Path, fluid: int, dem: int, engine: str) -> str:
+def mpirun_line(directory: Path, fluid: int, dem: int, fluid_engine: str,
+                dem_engine: str = "liggghts") -> str:
     """The same line for a shell."""
-    return shlex.join(mpirun_words(directory, fluid, dem, engine))
+    return shlex.join(mpirun_words(directory, fluid, dem, fluid_engine, dem_engine))

@@ -64,9 +64,9 @@ KEYS: dict[str, Key] = {
     "uniform_flow.gradient_u": Key("vector", "gradient of the x velocity; default 0", "1/s"),
     "uniform_flow.gradient_v": Key("vector", "gradient of the y velocity; default 0", "1/s"),
     "uniform_flow.gradient_w": Key("vector", "gradient of the z velocity; default 0", "1/s"),
-    "dem.engine": Key("text", "particle side; none: fluid alone, no particle program is started",
-                      choices=("liggghts", "none")),
-    "dem.script": Key("text", "LIGGGHTS script that sets the particles up"),
+    "dem.engine": Key("text", "particle side; none: fluid alone, no particle program is started; "
+                      "lammps: optional, needs liblammps-dev", choices=("liggghts", "none", "lammps")),
+    "dem.script": Key("text", "script that sets the particles up, in the language of dem.engine"),
     "check.speed": Key("number", "fastest particle or fluid expected, for the pre-flight check", "m/s",
                        above=0),
     "output.interval": Key("number", "time between two pictures (fields, particles)", "s", above=0),

@@ -125,7 +125,8 @@ def pbs(job: Job, ready: Prepared) -> str:
 
 def _script(mark: str, head: list[str], job: Job, ready: Prepared, timer: bool) -> str:
     first, lines, words = 0, [], []
-    for ranks, command in sides(ready.directory, ready.ranks_fluid, ready.ranks_dem, ready.fluid_engine):
+    for ranks, command in sides(ready.directory, ready.ranks_fluid, ready.ranks_dem,
+                                ready.fluid_engine, ready.dem_engine):
         name = Path(command[0]).name
         last = first + ranks - 1
         lines.append(f'"{first}{f"-{last}" if ranks > 1 else ""} $BIN/{name} $RUN"')

@@ -71,7 +71,7 @@ def make_ready(options: argparse.Namespace) -> prepare.Prepared:
                        "./slidewave check shows every number")
     progress.say(f"prepared in {ready.prepare_s:.1f} s")
     progress.say(ranks.mpirun_line(directory, ready.ranks_fluid, ready.ranks_dem,
-                                   ready.fluid_engine))
+                                   ready.fluid_engine, ready.dem_engine))
     return ready
 
 
