@@ -251,7 +251,8 @@ void LammpsEngine::look() {
   if (report_->wants_particles()) {
     gather(seen_);
   }
-  quantities_ = report_->observe(seen_, report_->wants_overlap() ? max_overlap(*lmp_) : 0.0);
+  bool const listed = running_ && report_->wants_overlap();  // no neighbour list before a run
+  quantities_ = report_->observe(seen_, listed ? max_overlap(*lmp_) : 0.0);
 }
 
 }  // namespace slidewave::lammps

@@ -22,7 +22,7 @@ Box sub_domain(LAMMPS_NS::LAMMPS const& lmp);
 /// The image of `position_m` inside the periodic box.
 Vec3 wrapped(LAMMPS_NS::LAMMPS const& lmp, double const* position_m);
 /// Largest overlap of a pair of this rank over the smaller diameter of the two [-], from the
-/// neighbour list of the last step; 0 before the first.
+/// neighbour list of the last step; there must have been one.
 double max_overlap(LAMMPS_NS::LAMMPS const& lmp);
 
 }  // namespace slidewave::lammps
