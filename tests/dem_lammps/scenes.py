@@ -33,11 +33,16 @@ class Scene:
         bounds = "\n".join(f"0 {size} {axis}lo {axis}hi" for axis, size in zip("xyz", self.box))
         return f"spheres\n\n{len(rows)} atoms\n1 atom types\n\n{bounds}\n\nAtoms\n\n" + "\n".join(rows) + "\n"
 
-    def script(self, engine: str) -> str:
-        """The set-up script for dem.engine; it reads spheres.data."""
+    def script(self, engine: str, own_law: bool = False) -> str:
+        """The set-up script for dem.engine; it reads spheres.data. `own_law`: slidewave's linear and coulomb
+        in place of LIGGGHTS' hooke (their damping is a fraction of the critical one)."""
         ours = engine == "liggghts"
         kn, kt, damp, mu = self.kn, self.kt, self.damping, self.friction
-        if ours:
+        if ours and own_law:
+            law, numbers = "gran model linear tangential coulomb", f"kn {kn} damping 0.1 ks {kt} mu {mu}"
+            pair = [f"pair_style {law} {numbers}", "pair_coeff * *"]
+            walls = [f"fix {name} all wall/{law} primitive type 1 {name} 0 {numbers}" for name in self.walls]
+        elif ours:
             law = "gran model hooke/stiffness tangential history"
             pair = [f"fix {name} all property/global {name} peratomtypepair 1 {value}" for name, value in
                     (("kn", kn), ("kt", kt), ("gamman", damp), ("gammat", damp), ("coefficientFriction", mu))]

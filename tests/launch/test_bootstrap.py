@@ -49,6 +49,14 @@ class Bootstrap(unittest.TestCase):
         done = self.slidewave("--help")
         self.assertEqual((done.returncode, ABSENT in done.stdout), (0, True))
 
+    def test_optional_packages_are_listed_and_not_missed(self) -> None:
+        with (self.place / "launch/packages.txt").open("a") as packages:
+            packages.write("?slidewave-no-such-engine  for this test, too\n")
+        done = self.slidewave("setup", "--list")
+        self.assertRegex(done.stdout, r"(?m)^optional +slidewave-no-such-engine +for this test, too$")
+        self.assertRegex(done.stdout, r"(?m)^(installed|optional) +liblammps-dev ")
+        self.assertNotIn("no-such-engine", self.slidewave("setup").stderr)
+
     def test_unknown_option(self) -> None:
         self.assertEqual(self.slidewave("setup", "--everything").returncode, 2)
 
