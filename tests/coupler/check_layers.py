@@ -21,7 +21,9 @@ def includes(folder):
 
 
 def own_headers(folder):
-    return {path.name for path in files(folder) if path.suffix in {".hpp", ".h", ".H"}}
+    """Names of a folder's headers, without stand-ins for those of a package."""
+    return {path.name for path in files(folder)
+            if path.suffix in {".hpp", ".h", ".H"} and "unpackaged" not in path.parts}
 
 
 def main():
