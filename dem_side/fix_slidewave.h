@@ -48,6 +48,12 @@ class FixSlidewave : public Fix {
   /// read from the column, which may lose it with an atom.
   std::array<double, 3> const& received() const { return received_; }
 
+  /// Contacts, weight and other fixes [N], without the fluid's force: what the next half kick of a
+  /// local atom begins with.
+  double const* other_force_N(int i) const {
+    return other_force_N_.data() + 3 * static_cast<std::size_t>(i);
+  }
+
  private:
   struct Column {
     int components = 1;

@@ -62,6 +62,10 @@ Feature contact_kernel() {
                 : "packaged contact law"};
 }
 
+bool wants_audit(Scene const& scene) {
+  return scene.flag("dem.energy_audit", true);
+}
+
 fs::path case_file(Session const& session) {
   return session.scene().directory() / "case.toml";
 }
@@ -141,7 +145,31 @@ void LiggghtsEngine::set_up_scene() {
     snapshots_ = std::make_unique<Snapshots>(*lmp_, folder_,
                                              static_cast<int>(scene.number("output.layers", 0.0)));
   }
+  if (wants_audit(scene) && EnergyAudit::obstacle(*lmp_).empty()) {
+    audit_ = std::make_unique<EnergyAudit>(*lmp_);
+  }
+  observe();
+}
+
+void LiggghtsEngine::observe() {
   quantities_ = observers_->observe();
+  if (!audit_) {
+    return;
+  }
+  std::vector<Quantity> const energy = audit_->observe();
+  quantities_.insert(quantities_.end(), energy.begin(), energy.end());
+  double const drift = audit_->drift();
+  if (drift > EnergyAudit::limit) {
+    session_.fail("the particles gained " + std::to_string(100 * drift) +
+                  " % of the energy turned over from nowhere: the particle step is too long for "
+                  "their contacts; lower parameters.dem_dt");
+  }
+  if (std::abs(drift) > EnergyAudit::warning && !drift_told_) {
+    drift_told_ = true;
+    session_.say("warning: the particles' energy is off by " + std::to_string(100 * drift) +
+                 " % of what was turned over (energy_drift in history.csv); a smaller "
+                 "parameters.dem_dt mends it");
+  }
 }
 
 void LiggghtsEngine::state_facts() {
@@ -166,6 +194,10 @@ std::vector<Feature> LiggghtsEngine::features() const {
           {"contact_scaling", contact_scale().stiffness != 1,
            "models.contact_scaling = " + session_.scene().text("models.contact_scaling", "none") +
                ", K times " + std::to_string(contact_scale().stiffness)},
+          {"energy_audit", audit_ != nullptr,
+           audit_                          ? "columns of history.csv"
+           : wants_audit(session_.scene()) ? EnergyAudit::obstacle(*lmp_)
+                                           : "dem.energy_audit = false"},
           {"particle_layers", session_.scene().number("output.layers", 0.0) > 0, "output.layers"}};
 }
 
@@ -202,6 +234,9 @@ void LiggghtsEngine::add_kick(Table const& answers) {
   command += answers.has("memory") ? " memory" : "";
   lmp_->input->one(command.c_str());
   kick_ = static_cast<FixSlidewave*>(lmp_->modify->find_fix_id("slidewave_kick"));
+  if (audit_) {
+    audit_->add_fluid();
+  }
 }
 
 void LiggghtsEngine::apply(Table const& answers) {
@@ -241,10 +276,14 @@ void LiggghtsEngine::advance(Window const& window) {
   if (!moves) {
     return;
   }
+  if (audit_ && !audit_->started()) {
+    loop_->prepare(window.length_s(), wanted_dt_s_, end_s_ - window.t0_s);
+    audit_->observe();
+  }
   loop_->advance(window.length_s(), wanted_dt_s_, end_s_ - window.t0_s);
   check_numbers();
   lmp_->output->thermo->lost_check();
-  quantities_ = observers_->observe();
+  observe();
   write_if_due(window.index, window.t1_s);
   if (window.t1_s >= end_s_ * (1 - 1e-9)) {
     loop_->finish();

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "energy_audit.h"
 #include "observers.h"
 #include "slidewave/coupler.hpp"
 #include "snapshot.h"
@@ -38,6 +39,7 @@ class LiggghtsEngine : public ParticleEngine {
   void state_facts();
   void add_kick(Table const& answers);
   void check_numbers() const;
+  void observe();
   void write_if_due(long window, double time_s);
 
   Session& session_;
@@ -45,6 +47,8 @@ class LiggghtsEngine : public ParticleEngine {
   std::unique_ptr<LAMMPS_NS::LAMMPS> lmp_;
   std::unique_ptr<StepLoop> loop_;
   std::unique_ptr<Observers> observers_;
+  std::unique_ptr<EnergyAudit> audit_;  // none where it is off or cannot close
+  bool drift_told_ = false;
   std::unique_ptr<Snapshots> snapshots_;
   LAMMPS_NS::FixSlidewave* kick_ = nullptr;  // none in a dry scene
   std::vector<Quantity> quantities_;

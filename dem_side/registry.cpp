@@ -9,6 +9,7 @@
 #include "contact_styles.h"
 #include "expose.h"
 #include "fix_contact_memory.h"
+#include "fix_fluid_work.h"
 #include "fix_slidewave.h"
 #include "input.h"
 #include "lammps.h"
@@ -81,6 +82,7 @@ void register_styles(LAMMPS& lmp) {
   }
   register_contact_styles();
   fix_map(lmp)["slidewave"] = &create<LAMMPS_NS::FixSlidewave>;
+  fix_map(lmp)["slidewave/work"] = &create<LAMMPS_NS::FixFluidWork>;
   fix_map(lmp)["slidewave/contacts"] = &create<LAMMPS_NS::FixContactMemory>;
 }
 

@@ -50,12 +50,19 @@ void StepLoop::change_dt(double dt_s) {
   dt_s_ = dt_s;
 }
 
+void StepLoop::prepare(double window_s, double wanted_dt_s, double remaining_s) {
+  if (!running_) {
+    long const steps = steps_in(window_s, wanted_dt_s);
+    set_up(window_s / static_cast<double>(steps),
+           steps * std::lround(std::max(1.0, remaining_s / window_s)));
+  }
+}
+
 void StepLoop::advance(double window_s, double wanted_dt_s, double remaining_s) {
   long const steps = steps_in(window_s, wanted_dt_s);
   double const dt_s = window_s / static_cast<double>(steps);
-  if (!running_) {
-    set_up(dt_s, steps * std::lround(std::max(1.0, remaining_s / window_s)));
-  } else if (std::abs(dt_s - dt_s_) > 1e-9 * dt_s_) {  // windows t1 - t0 differ by round-off
+  prepare(window_s, wanted_dt_s, remaining_s);
+  if (std::abs(dt_s - dt_s_) > 1e-9 * dt_s_) {  // windows t1 - t0 differ by round-off
     change_dt(dt_s);
   }
   lmp_.update->integrate->run(static_cast<int>(steps));

@@ -15,6 +15,8 @@ class StepLoop {
   /// Steps of equal length, none above `wanted_dt_s`, that fill `window_s` exactly.
   static long steps_in(double window_s, double wanted_dt_s);
 
+  /// Sets the run up as advance() would, so that forces and contacts of the start are known.
+  void prepare(double window_s, double wanted_dt_s, double remaining_s);
   /// Advances by `window_s` [s]; `remaining_s`, this window included, lets LIGGGHTS know the end.
   void advance(double window_s, double wanted_dt_s, double remaining_s);
   /// LIGGGHTS' closing summary of timings, once, if anything was run.

@@ -74,7 +74,15 @@ void FixContactMemory::set_arrays(int i) {
   memory_.forget(index(i));
 }
 
+// Asked for outside a rebuild (a checkpoint): the list must not be taken for newer afterwards.
+void FixContactMemory::bring_up_to_date() {
+  if (pairs_ && pairs_->valid()) {
+    pre_exchange();
+  }
+}
+
 int FixContactMemory::pack_exchange(int i, double* buffer) {
+  bring_up_to_date();
   std::size_t const count = memory_.count(index(i));
   buffer[0] = static_cast<double>(count);
   std::size_t const numbers = count * memory_.record();
@@ -85,6 +93,9 @@ int FixContactMemory::pack_exchange(int i, double* buffer) {
 }
 
 int FixContactMemory::unpack_exchange(int i, double* buffer) {
+  if (pairs_) {
+    pairs_->invalidate();  // what comes in is newer
+  }
   auto const count = static_cast<std::size_t>(buffer[0]);
   memory_.adopt(index(i), buffer + 1, count);
   return static_cast<int>(1 + count * memory_.record());
@@ -105,6 +116,7 @@ void FixContactMemory::unpack_restart(int i, int nth) {
 }
 
 int FixContactMemory::size_restart(int i) {
+  bring_up_to_date();
   return static_cast<int>(2 + memory_.count(index(i)) * memory_.record());
 }
 

@@ -40,6 +40,8 @@ class FixContactMemory : public Fix {
   void collect();
 
  private:
+  void bring_up_to_date();
+
   slidewave::dem::ContactMemory memory_;
   slidewave::dem::PairList* pairs_ = nullptr;
 };

@@ -1,0 +1,42 @@
+#include "fix_fluid_work.h"
+
+#include "atom.h"
+#include "error.h"
+#include "fix_slidewave.h"
+#include "modify.h"
+#include "update.h"
+
+namespace LAMMPS_NS {
+
+FixFluidWork::FixFluidWork(LAMMPS* lammps, int argument_count, char** arguments)
+    : Fix(lammps, argument_count, arguments) {}
+
+int FixFluidWork::setmask() {
+  return FixConst::PRE_INITIAL_INTEGRATE | FixConst::POST_FORCE;
+}
+
+void FixFluidWork::init() {
+  kick_ = nullptr;
+  for (int k = 0; k < modify->nfix && modify->fix[k] != this; ++k) {
+    if (auto* const kick = dynamic_cast<FixSlidewave*>(modify->fix[k])) {
+      kick_ = kick;
+    }
+  }
+  if (!kick_) {
+    error->fix_error(FLERR, this, "must stand after fix slidewave");
+  }
+}
+
+void FixFluidWork::add() {
+  double const half_dt_s = 0.5 * update->dt;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    double const* const other = kick_->other_force_N(i);
+    double const turn = 0.5 * half_dt_s / atom->rmass[i];
+    for (int axis = 0; axis < 3; ++axis) {
+      double const f = atom->f[i][axis];
+      work_J_ += (f - other[axis]) * half_dt_s * (atom->v[i][axis] + turn * f);
+    }
+  }
+}
+
+}  // namespace LAMMPS_NS
