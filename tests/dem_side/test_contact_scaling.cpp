@@ -8,8 +8,9 @@
 
 #include "contact_scale.h"
 #include "pair_style.h"
-#include "small_scene.h"
+#include "slidewave/physics/drag_models.hpp"
 #include "slidewave/physics/volume_forces.hpp"
+#include "small_scene.h"
 
 namespace {
 
@@ -44,8 +45,8 @@ End impact(slidewave::ContactScale scale, double size, double duration, double g
   scene.set_spin(1, 0, 3 * spin, 5 * spin);
   scene.set_spin(2, 2 * spin, 0, -1 * spin);
   int const steps = 6000;
-  scene.lines({"fix integrate all nve/sphere",
-               "timestep " + text(0.06 * duration / steps), "run " + std::to_string(steps)});
+  scene.lines({"fix integrate all nve/sphere", "timestep " + text(0.06 * duration / steps),
+               "run " + std::to_string(steps)});
   End end;
   for (int axis = 0; axis < 3; ++axis) {
     end.velocity[static_cast<std::size_t>(axis)] = scene.v(1, axis);
@@ -69,9 +70,8 @@ TEST(Scaling, ProportionalKeepsTheDimensionlessTrajectory) {
   End const grain = impact({}, 1, 1, 0.001, 1);
   EXPECT_GT(grain.velocity[0], 0.2) << "bounced off the wall";
   for (double const alpha : {2.0, 4.0}) {
-    End const particle =
-        impact(slidewave::contact_scale(ContactScaling::proportional, alpha), alpha, alpha,
-               0.001 * alpha, 1 / alpha);
+    End const particle = impact(slidewave::contact_scale(ContactScaling::proportional, alpha),
+                                alpha, alpha, 0.001 * alpha, 1 / alpha);
     expect_same(particle, grain, 1e-9);
     EXPECT_NEAR(particle.offset, alpha * grain.offset, 1e-9);
   }
@@ -115,6 +115,37 @@ TEST(Scaling, NoneKeepsTheConstants) {
   scene.law("model linear kn 1e6 tangential coulomb ks 8e5 mu 0.4");
   EXPECT_EQ(slidewave::dem::OwnPairs::current()->law().normal.kn, 1e6);
   EXPECT_EQ(slidewave::dem::OwnPairs::current()->law().slider.ks, 8e5);
+}
+
+// What the fluid does to a clump is the sum over its alpha^3 grains, for every drag law and for
+// buoyancy.
+TEST(Scaling, ClumpForcesAreSumsOverGrains) {
+  Eigen::Matrix<double, 1, 1> const one = Eigen::Matrix<double, 1, 1>::Ones();
+  Eigen::Matrix<double, 3, 1> const still = Eigen::Matrix<double, 3, 1>::Zero();
+  Eigen::Matrix<double, 3, 1> const flow(2, -1, 0.5);
+  double const alpha = 3;
+  int const grains = 27;
+  for (slidewave::DragLawEntry const& law : slidewave::drag_laws()) {
+    Eigen::MatrixXd clump(1, 1);
+    Eigen::MatrixXd grain(1, 1);
+    law.kernel({alpha, 0.3 * one, still, flow, 1000 * one, 1e-3 * one, 0.5 * one},
+               slidewave::Formulation::A, clump);
+    law.kernel({1, 0.1 * one, still, flow, 1000 * one, 1e-3 * one, 0.5 * one},
+               slidewave::Formulation::A, grain);
+    double sum = 0;
+    for (int n = 0; n < grains; ++n) {
+      sum += grain(0, 0);
+    }
+    EXPECT_NEAR(clump(0, 0) / sum, 1, 1e-12) << law.law << " " << law.coefficient;
+  }
+  auto const volume = [](double radius_m) { return 4.0 / 3 * M_PI * std::pow(radius_m, 3); };
+  Eigen::Vector3d const gradient(0, 10, -9810);
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (int n = 0; n < grains; ++n) {
+    sum += slidewave::pressure_gradient_force(volume(0.1), gradient);
+  }
+  EXPECT_LT((slidewave::pressure_gradient_force(volume(0.3), gradient) - sum).norm(),
+            1e-12 * sum.norm());
 }
 
 TEST(Scaling, NamesOfTheCase) {
