@@ -1,10 +1,12 @@
 #include "fix_slidewave.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstring>
 
 #include "atom.h"
 #include "atom_column.h"
+#include "domain.h"
 #include "error.h"
 #include "fix_property_atom.h"
 #include "force.h"
@@ -17,10 +19,10 @@ namespace LAMMPS_NS {
 namespace {
 
 std::map<std::string, int> const known_columns = {
-    {"drag", 1}, {"fluid_velocity", 3}, {"force", 3}, {"impulse", 3}, {"memory", 4}};
+    {"drag", 1}, {"fluid_velocity", 3}, {"force", 3}, {"impulse", 3}, {"memory", 4}, {"start", 3}};
 
 bool given_as_numbers(std::string const& column) {
-  return column != "impulse" && column != "memory";
+  return column == "drag" || column == "fluid_velocity" || column == "force";
 }
 
 }  // namespace
@@ -36,10 +38,14 @@ FixSlidewave::FixSlidewave(LAMMPS* lammps, int argument_count, char** arguments)
     std::string const name = arguments[next++];
     auto const known = known_columns.find(name);
     if (known == known_columns.end()) {
-      error->fix_error(FLERR, this, "columns are drag, fluid_velocity, force, impulse, memory");
+      error->fix_error(FLERR, this,
+                       "columns are drag, fluid_velocity, force, impulse, memory, start");
     }
     Column& column = columns_[name];
     column.components = known->second;
+    if (name == "memory" && next < argument_count && std::isdigit(arguments[next][0])) {
+      column.components = force->inumeric(FLERR, arguments[next++]);
+    }
     column.initial.assign(static_cast<std::size_t>(column.components), 0.0);
     if (given_as_numbers(name)) {
       if (next + column.components > argument_count) {
@@ -97,6 +103,24 @@ void FixSlidewave::begin_window() {
   for (int i = 0; i < atom->nlocal && has("impulse"); ++i) {
     std::fill_n(values("impulse", i), 3, 0.0);
   }
+  for (int i = 0; i < atom->nlocal && has("start"); ++i) {
+    domain->unmap(atom->x[i], atom->image[i], values("start", i));
+  }
+}
+
+std::array<double, 3> FixSlidewave::travel(int i) const {
+  std::array<double, 3> way{};
+  domain->unmap(atom->x[i], atom->image[i], way.data());
+  double const* const start = values("start", i);
+  for (unsigned axis = 0; axis < 3; ++axis) {
+    way[axis] -= start[axis];
+  }
+  return way;
+}
+
+bool FixSlidewave::held(int i) const {
+  int const mask = atom->mask[i];
+  return held_.held(mask, 0) && held_.held(mask, 1) && held_.held(mask, 2);
 }
 
 void FixSlidewave::setup(int) {

@@ -1,4 +1,5 @@
-// fix ID all slidewave [drag K] [fluid_velocity ux uy uz] [force fx fy fz] [impulse] [memory]
+// fix ID all slidewave [drag K] [fluid_velocity ux uy uz] [force fx fy fz] [impulse] [memory [N]]
+//                      [start]
 //
 // What the fluid does to particles, around any velocity-Verlet integrator. Before each half kick
 // the force on an atom is replaced by the effective one that makes the integrator carry out the
@@ -8,7 +9,8 @@
 //
 // Every name is a column of its own, kept with the atom wherever it goes and through restarts; what
 // is not named is neither stored nor used. Units: K [kg/s], u [m/s], F [N], impulse [kg m/s];
-// `memory` (4 numbers) belongs to the coupler. The numbers given are the values of every atom at
+// `memory` (N numbers, 4 unless told) belongs to the coupler; `start` [m] is where the atom stood
+// at begin_window(), periodic images undone. The numbers given are the values of every atom at
 // first; the engine overwrites them once a window.
 #pragma once
 
@@ -47,6 +49,15 @@ class FixSlidewave : public Fix {
   /// Drag impulse [kg m/s] of this rank's atoms since begin_window(), counted kick by kick and not
   /// read from the column, which may lose it with an atom.
   std::array<double, 3> const& received() const { return received_; }
+  /// All forces on a local atom but the fluid's [N], 3 numbers, at the end of the last step or
+  /// set-up.
+  double const* other_force(int i) const {
+    return &other_force_N_[3 * static_cast<std::size_t>(i)];
+  }
+  /// How far [m] a local atom has gone since begin_window(); needs `start`.
+  std::array<double, 3> travel(int atom) const;
+  /// True where no force moves the atom in any direction.
+  bool held(int atom) const;
 
   /// Contacts, weight and other fixes [N], without the fluid's force: what the next half kick of a
   /// local atom begins with.

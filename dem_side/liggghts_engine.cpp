@@ -18,6 +18,7 @@
 #include "pair_style.h"
 #include "registry.h"
 #include "script_scan.h"
+#include "slidewave/physics/contact_secant.hpp"
 #include "stock_facts.h"
 #include "thermo.h"
 #include "update.h"
@@ -224,6 +225,39 @@ void LiggghtsEngine::gather(Table& particles) {
       }
     });
   }
+  extras_wanted_ = particles.has("travel");
+  if (extras_wanted_) {
+    gather_extras(particles);
+  }
+}
+
+// Before the first set-up nothing is known of forces and contacts, and the window has no length.
+void LiggghtsEngine::gather_extras(Table& particles) {
+  InsideLiggghts const inside;
+  bool const known = loop_->running();
+  if (known) {
+    touching_.count();
+  }
+  LAMMPS_NS::Atom const& atom = *lmp_->atom;
+  auto travel = particles["travel"], force = particles["other_force"],
+       stiffest = particles["stiffest"];
+  Vec3 const g = gravity(*lmp_).value_or(Vec3::Zero());
+  for (int i = 0; i < atom.nlocal; ++i) {
+    if (!known) {
+      travel.col(i).setZero();
+      force.col(i).setZero();
+      stiffest(0, i) = 0;
+      continue;
+    }
+    travel.col(i) = Vec3(kick_->travel(i).data());
+    force.col(i) = Vec3(kick_->other_force(i));
+    Vec3 const weight = atom.rmass[i] * g;
+    bool const pushed = (force.col(i) - weight).norm() > 1e-9 * weight.norm();  // by a wall, say
+    stiffest(0, i) = kick_->held(i) ? held_stiffness
+                     : pushed || touching_.touches(i)
+                         ? stiffest_contact(atom.rmass[i], loop_->dt_s())
+                         : 0;
+  }
 }
 
 // Columns are known with the first answers only; the fix goes last, to see every other force.
@@ -231,11 +265,17 @@ void LiggghtsEngine::add_kick(Table const& answers) {
   std::string command = "fix slidewave_kick all slidewave";
   command += answers.has("drag") ? " drag 0 fluid_velocity 0 0 0 impulse" : "";
   command += answers.has("force") ? " force 0 0 0" : "";
-  command += answers.has("memory") ? " memory" : "";
+  if (answers.has("memory")) {
+    command += " memory " + std::to_string(answers["memory"].rows());
+  }
+  command += extras_wanted_ ? " start" : "";
   lmp_->input->one(command.c_str());
   kick_ = static_cast<FixSlidewave*>(lmp_->modify->find_fix_id("slidewave_kick"));
   if (audit_) {
     audit_->add_fluid();
+  }
+  if (extras_wanted_) {
+    touching_.add(*lmp_);
   }
 }
 
@@ -274,6 +314,9 @@ void LiggghtsEngine::advance(Window const& window) {
     write_if_due(moves ? window.index - 1 : window.index, window.t0_s);  // the initial state
   }
   if (!moves) {
+    if (extras_wanted_) {  // the first window wants to know the contacts
+      loop_->prepare(session_.scene().number("coupling.window"), wanted_dt_s_, end_s_);
+    }
     return;
   }
   if (audit_ && !audit_->started()) {

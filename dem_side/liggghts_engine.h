@@ -12,6 +12,7 @@
 #include "slidewave/coupler.hpp"
 #include "snapshot.h"
 #include "step_loop.h"
+#include "touching.h"
 
 namespace LAMMPS_NS {
 class FixSlidewave;
@@ -30,6 +31,7 @@ class LiggghtsEngine : public ParticleEngine {
   std::vector<Quantity> quantities() const override { return quantities_; }
   std::vector<Feature> features() const override;
   void gather(Table& particles) override;
+  std::vector<std::string> extras() const override { return {"travel", "other_force", "stiffest"}; }
   void apply(Table const& answers) override;
   void advance(Window const& window) override;
   std::optional<Vec3> received_impulse() const override;
@@ -37,6 +39,7 @@ class LiggghtsEngine : public ParticleEngine {
  private:
   void set_up_scene();
   void state_facts();
+  void gather_extras(Table& particles);
   void add_kick(Table const& answers);
   void check_numbers() const;
   void observe();
@@ -52,6 +55,8 @@ class LiggghtsEngine : public ParticleEngine {
   std::unique_ptr<Snapshots> snapshots_;
   LAMMPS_NS::FixSlidewave* kick_ = nullptr;  // none in a dry scene
   std::vector<Quantity> quantities_;
+  Touching touching_;
+  bool extras_wanted_ = false;
   double wanted_dt_s_ = 0;
   double end_s_ = 0;
   double output_interval_s_ = 0;

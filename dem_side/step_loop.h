@@ -22,6 +22,7 @@ class StepLoop {
   /// LIGGGHTS' closing summary of timings, once, if anything was run.
   void finish();
   double dt_s() const { return dt_s_; }
+  bool running() const { return running_; }
 
  private:
   void set_up(double dt_s, long total_steps);

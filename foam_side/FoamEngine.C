@@ -128,7 +128,8 @@ FoamEngine::FoamEngine(Scene const& scene, MPI_Comm comm) {
   Impl& self = *impl_;
   bool const coupled = scene.text("dem.engine", "none") != "none";
   bool const two_way = coupled && scene.text("coupling.reaction", "two_way") == "two_way";
-  self.flow->keepMeans(two_way, coupled && scene.flag("models.pressure_gradient", true));
+  self.flow->keepMeans(two_way, coupled && scene.flag("models.pressure_gradient", true),
+                       two_way && scene.text("coupling.regime", "auto") == "stiff");
   self.observers = makeObservers(scene, self.foam.mesh());
   if (rank == 0) std::ofstream(scene.directory() / "fluid" / "case.foam");  // what ParaView opens
 }
@@ -169,9 +170,9 @@ std::vector<Feature> FoamEngine::features() const {
 }
 
 std::vector<Field> FoamEngine::samples() const {
-  return {{"velocity", "m/s", 3},          {"mean_velocity", "m/s", 3}, {"density", "kg/m3", 1},
-          {"viscosity", "Pa s", 1},        {"void_fraction", "-", 1},   {"saturation", "-", 1},
-          {"pressure_gradient", "Pa/m", 3}};
+  return {{"velocity", "m/s", 3},           {"mean_velocity", "m/s", 3}, {"density", "kg/m3", 1},
+          {"viscosity", "Pa s", 1},         {"void_fraction", "-", 1},   {"saturation", "-", 1},
+          {"pressure_gradient", "Pa/m", 3}, {"drag_reaction", "Pa/m", 3}};
 }
 
 Home FoamEngine::locate(Vec3 const& position_m, int hint_cell) {
@@ -278,6 +279,8 @@ void FoamEngine::sample(std::string const& field, Table::Column out) {
     out = self.kernel.gather(matrix(flow.saturation()().primitiveField()));
   } else if (field == "pressure_gradient") {
     out = self.kernel.gather(matrix(flow.meanPressureGradient()));
+  } else if (field == "drag_reaction") {
+    out = self.kernel.gather(matrix(flow.meanDragReaction()));
   } else {
     throw std::invalid_argument("slidewave_foam has no field " + field);
   }
@@ -295,6 +298,11 @@ Vec3 FoamEngine::solid_pressure_force() const {
   vectorField const& gradient = impl_->flow->meanPressureGradient();
   if (gradient.empty()) return Vec3::Zero();
   return impl_->solid.integrate(impl_->kernel, matrix(gradient));
+}
+
+Vec3 FoamEngine::solid_reaction_force() const {
+  if (impl_->particles == 0) return Vec3::Zero();
+  return impl_->solid.integrate(impl_->kernel, matrix(impl_->flow->meanDragReaction()));
 }
 
 }  // namespace slidewave::foam

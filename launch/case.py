@@ -16,6 +16,7 @@ from launch.validate import check_keys, check_tables
 DEFAULTS = {
     "case.title": "",
     "coupling.scheme": "serial",
+    "coupling.regime": "auto",
     "coupling.patience": 600.0,
     "coupling.reaction": "two_way",
     "coupling.outside": "error",

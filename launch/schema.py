@@ -33,6 +33,8 @@ KEYS: dict[str, Key] = {
     "coupling.window": Key("number", "time between two exchanges", "s", above=0, required=True),
     "coupling.scheme": Key("text", "serial: fluid first, then particles with its result",
                            choices=("serial",)),
+    "coupling.regime": Key("text", "mild: short windows, cheapest; stiff: drag right for any K W/m (docs/stability.md); "
+                           "auto, the default: what the pre-flight check finds needed", choices=("auto", "mild", "stiff")),
     "coupling.patience": Key("number", "longest wait for the other side", "s", above=0),
     "coupling.reaction": Key("text", "two_way: the particles act on the fluid; one_way: they do not",
                              choices=("two_way", "one_way")),

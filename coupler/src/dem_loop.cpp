@@ -135,6 +135,7 @@ int run(Session& session, ParticleEngine& engine) {
   try {
     Agreed const agreed = handshake(session.impl(), {{}, engine.features(), engine.bounds()});
     watch_signals();  // again: an engine may have taken them
+    check_particle_needs(agreed.models, engine.extras());
     DemLoop(session.impl(), engine, agreed).run();
     session.leave();
     return 0;

@@ -6,6 +6,7 @@
 #include "relay.hpp"
 #include "reporter.hpp"
 #include "signals.hpp"
+#include "window_drag.hpp"
 
 namespace slidewave {
 namespace {
@@ -42,6 +43,10 @@ class FluidLoop {
     }
     if (models_.porosity()) {
       particles_.add({"volume", "m3", 1});
+    }
+    if (models_.stiff) {
+      particles_.add({"response", "kg/s", 1});
+      gravity_m_s2_ = session.scene.vector("physics.gravity");
     }
     if (session.is_root()) {
       session.say(describe(agreed));
@@ -105,8 +110,11 @@ class FluidLoop {
     evaluate_drag(models_, particles_);
     if (models_.ledger()) {
       repay(window);
+      if (models_.stiff) {
+        foresee(window.length_s(), gravity_m_s2_, particles_);
+      }
       Table const& read = particles_;
-      engine_.exchange(read["drag"], read["velocity"], read["repaid"]);
+      engine_.exchange(read[reaction()], read["velocity"], read["repaid"]);
     }
   }
 
@@ -147,24 +155,34 @@ class FluidLoop {
         sample("pressure_gradient");
         evaluate_force(particles_);
       }
+      sums_ = add_up(window.length_s());
+      if (models_.stiff) {
+        sample("drag_reaction");
+        answer_in_kick_form(window.length_s(), agreed_.in_plane, particles_);
+      }
     }
     if (session_.world.has_partner()) {
       inbox_.answer(particles_, cell_, window.index);
     }
-    sums_ = add_up();
   }
+
+  /// The column of what acts on the fluid per slip.
+  char const* reaction() const { return models_.stiff ? "response" : "drag"; }
 
   /// What each particle's share of the source took from the fluid, less what was paid back.
   void book(double length_s) {
-    auto const drag = particles_["drag"];
+    auto const drag = particles_[reaction()];
     auto const slip = particles_["mean_velocity"] - particles_["velocity"];
     particles_["given"] = length_s * (slip * drag.row(0).asDiagonal() - particles_["repaid"]);
   }
 
-  FluidSums add_up() {
+  FluidSums add_up(double window_s) {
     FluidSums sums;
     if (models_.ledger()) {
       Eigen::Map<Vec3>(sums.given) = engine_.given_impulse();
+      if (models_.stiff) {
+        Eigen::Map<Vec3>(sums.given) += window_s * engine_.solid_reaction_force();
+      }
       Eigen::Map<Vec3>(sums.ledger_in_air) = ledger_in_air_;
     }
     if (models_.porosity()) {
@@ -207,6 +225,7 @@ class FluidLoop {
   Table particles_;
   std::vector<int> cell_;
   Vec3 ledger_in_air_ = Vec3::Zero();
+  Vec3 gravity_m_s2_ = Vec3::Zero();
   FluidSums sums_;
   DemSums dem_sums_;
   std::vector<Quantity> columns_;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -92,6 +93,17 @@ void check_needs(Models const& models, std::vector<Field> const& offers) {
           "the model '{}' needs the field '{}' as {} x [{}], the fluid engine offers {} x [{}]",
           need.model, need.field.name, need.field.components, need.field.unit, offered->components,
           offered->unit));
+    }
+  }
+}
+
+void check_particle_needs(Models const& models, std::vector<std::string> const& offers) {
+  for (Need const& need : models.particle_needs()) {
+    if (std::find(offers.begin(), offers.end(), need.field.name) == offers.end()) {
+      throw InputError(
+          "case.toml", need.model, need.field.name,
+          "is not gathered by this particle engine; set coupling.regime = \"mild\" with "
+          "a window short enough, or use another engine");
     }
   }
 }

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "contact_memory.hpp"
+
 namespace slidewave {
 namespace {
 
@@ -15,6 +17,11 @@ std::string list(std::vector<Field> const& fields) {
     text += fmt::format("{}{}[{}]", text.empty() ? "" : " ", field.name, field.components);
   }
   return text;
+}
+
+/// Ledger and home, and in the stiff regime what the contacts did.
+Field memory_of(Models const& models) {
+  return {"memory", "-", 4 + (models.stiff ? contact_memory : 0)};
 }
 
 }  // namespace
@@ -35,13 +42,22 @@ Layout Layout::of(Models const& models) {
     layout.to_fluid.push_back({"ledger", "kg m/s", 3});
     layout.to_dem.push_back({"given", "kg m/s", 3});
   }
+  if (models.stiff) {
+    for (Field const& field : {Field{"mass", "kg", 1}, Field{"other_force", "N", 3},
+                               Field{"stiffness", "N/m", 1}, Field{"solid_velocity", "m/s", 3}}) {
+      layout.to_fluid.push_back(field);
+    }
+  }
   return layout;
 }
 
 std::vector<Field> Layout::gathered(Models const& models, bool has_partner) {
   std::vector<Field> fields = {{"position", "m", 3}, {"radius", "m", 1}, {"mass", "kg", 1}};
   if (has_partner) {
-    fields.push_back({"memory", "-", 4});
+    fields.push_back(memory_of(models));
+    for (Need const& need : models.particle_needs()) {
+      fields.push_back(need.field);
+    }
     if (models.drag) {
       fields.push_back({"velocity", "m/s", 3});
     }
@@ -53,7 +69,7 @@ std::vector<Field> Layout::gathered(Models const& models, bool has_partner) {
 }
 
 std::vector<Field> Layout::answered(Models const& models) {
-  std::vector<Field> fields = {{"memory", "-", 4}};
+  std::vector<Field> fields = {memory_of(models)};
   if (models.drag) {
     fields.push_back({"drag", "kg/s", 1});
     fields.push_back({"fluid_velocity", "m/s", 3});

@@ -45,6 +45,12 @@ Models Models::from(Scene const& scene) {
   models.pressure_gradient = scene.flag("models.pressure_gradient", true);
   models.two_way =
       choice(scene, "coupling.reaction", "two_way", {"two_way", "one_way"}) == "two_way";
+  std::string const regime = choice(scene, "coupling.regime", "auto", {"auto", "mild", "stiff"});
+  models.stiff = regime == "stiff" && models.ledger();
+  if (models.stiff && !models.pressure_gradient) {
+    throw InputError((scene.directory() / "case.toml").string(), "coupling.regime", "\"stiff\"",
+                     "needs models.pressure_gradient = true: drag reaches particles through it");
+  }
   std::string const outside =
       choice(scene, "coupling.outside", "error", {"error", "warn", "ignore"});
   models.outside = outside == "error"  ? Outside::error
@@ -78,10 +84,22 @@ std::vector<Need> Models::needs() const {
   if (ledger()) {
     needs.push_back({{"mean_velocity", "m/s", 3}, "two-way momentum"});
   }
+  if (stiff) {
+    needs.push_back({{"drag_reaction", "Pa/m", 3}, "stiff regime"});
+  }
   if (pressure_gradient) {
     needs.push_back({{"pressure_gradient", "Pa/m", 3}, "pressure-gradient force"});
   }
   return needs;
+}
+
+std::vector<Need> Models::particle_needs() const {
+  if (!stiff) {
+    return {};
+  }
+  return {{{"travel", "m", 3}, "stiff regime"},
+          {{"other_force", "N", 3}, "stiff regime"},
+          {{"stiffest", "N/m", 1}, "stiff regime"}};
 }
 
 std::vector<Feature> Models::features() const {
@@ -96,6 +114,10 @@ std::vector<Feature> Models::features() const {
       {"momentum reaction and ledger", ledger(),
        ledger() ? "drag implicit in the fluid, remainder repaid"
                 : (drag ? "coupling.reaction = \"one_way\"" : "no drag")},
+      {"stiff regime", stiff,
+       stiff      ? "grains foreseen as oscillators, drag taken out of the pressure"
+       : ledger() ? "coupling.regime is mild"
+                  : "no reaction: the kick is exact"},
       {"coarse graining", coarse_grain != 1,
        coarse_grain != 1 ? fmt::format("alpha = {}", coarse_grain) : "a particle is a grain"},
       {"angular velocity", false, "no model of lift or torque"},

@@ -23,6 +23,7 @@ struct Models {
   DragModel drag_model;
   bool pressure_gradient = true;
   bool two_way = true;
+  bool stiff = false;             ///< drag right for any K W/m; the mild form costs less
   double coarse_grain = 1;        ///< alpha: particle diameter over grain diameter
   double smoothing_length_m = 0;  ///< kernel length, two-way only
   Outside outside = Outside::error;
@@ -34,6 +35,8 @@ struct Models {
   bool porosity() const { return two_way; }
   /// Momentum goes both ways, so what is given and not received must be kept.
   bool ledger() const { return two_way && drag; }
+  /// What a particle engine must gather beyond what every scene needs.
+  std::vector<Need> particle_needs() const;
   std::vector<Need> needs() const;
   std::vector<Feature> features() const;
 };

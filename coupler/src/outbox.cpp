@@ -4,8 +4,10 @@
 
 #include <cmath>
 
+#include "contact_memory.hpp"
 #include "exchange_columns.hpp"
 #include "tags.hpp"
+#include "windows.hpp"
 
 namespace slidewave {
 
@@ -17,6 +19,11 @@ Outbox::Outbox(Session::Impl& session, Agreed const& agreed)
       sender_(session.world, session.waiter) {
   derived_.add({"ledger", "kg m/s", 3});
   derived_.add({"cell_hint", "-", 1});
+  if (agreed.models.stiff) {
+    derived_.add({"other_force", "N", 3});
+    derived_.add({"stiffness", "N/m", 1});
+    derived_.add({"solid_velocity", "m/s", 3});
+  }
 }
 
 void Outbox::recall(Table const& particles) {
@@ -66,6 +73,10 @@ void Outbox::pack_rows(Table const& particles, int const* rows, long count, doub
 bool Outbox::send(Table const& particles, long window, bool stop_wanted) {
   Scope const scope(session_.profile, Phase::exchange);
   recall(particles);
+  if (agreed_.models.stiff) {
+    double const last_s = window > 0 ? Windows::of(session_.scene)[window - 1].length_s() : 0;
+    recall_contacts(particles, last_s, session_.scene.vector("physics.gravity"), derived_);
+  }
   choose_destinations(particles);
   int const width = doubles_per_particle(agreed_.layout.to_fluid);
   buffers_.resize(std::max<std::size_t>(buffers_.size(), groups_.size()));
@@ -166,6 +177,9 @@ void Outbox::receive(Table& answers, long window) {
   auto memory = answers["memory"];
   if (agreed_.models.ledger()) {
     memory.topRows<3>() = derived_["ledger"];
+  }
+  if (agreed_.models.stiff) {
+    keep_contacts(derived_, answers);
   }
   Phase phase = Phase::wait;
   for (std::size_t e = 0; e < expected_count_; ++e) {

@@ -77,11 +77,13 @@ PorousFlow::PorousFlow(fvMesh& mesh, Time& time, word const& pressure)
 
 PorousFlow::~PorousFlow() = default;
 
-void PorousFlow::keepMeans(bool velocity, bool pressureGradient) {
+void PorousFlow::keepMeans(bool velocity, bool pressureGradient, bool dragReaction) {
   keepVelocity_ = velocity;
   keepGradient_ = pressureGradient;
+  keepReaction_ = dragReaction;
   if (velocity) meanU_.setSize(mesh_.nCells(), Zero);
   if (pressureGradient) meanGradP_.setSize(mesh_.nCells(), Zero);
+  if (dragReaction) meanReaction_.setSize(mesh_.nCells(), Zero);
 }
 
 void PorousFlow::setDrag(std::unique_ptr<DragDensity> drag) {
@@ -129,6 +131,7 @@ void PorousFlow::advance(double end_s) {
   double const window_s = end_s - begin_s;
   if (keepVelocity_) meanU_ /= window_s;
   if (keepGradient_) meanGradP_ /= window_s;
+  if (keepReaction_) meanReaction_ /= window_s;
   start_.reset();
 }
 
@@ -137,6 +140,7 @@ void PorousFlow::advance(double end_s) {
 void PorousFlow::startWindow(double length_s) {
   meanU_ = Zero;
   meanGradP_ = Zero;
+  meanReaction_ = Zero;
   given_ = Zero;
   if (!target_) return;
   start_ = std::make_unique<scalarField>(eps_.primitiveField());
@@ -193,6 +197,7 @@ void PorousFlow::account() {
     vectorField const taken(drag_->coefficient.field() * U_.primitiveField() -
                             drag_->velocitySource.field() - drag_->force.field());
     given_ += dt_s * sum((taken * mesh_.V().field())());
+    if (keepReaction_) meanReaction_ += dt_s * taken / eps_.primitiveField();
   }
 }
 

@@ -62,7 +62,8 @@ class FluidEngine : public Engine {
  public:
   /// Which fields sample() can give, among: velocity, mean_velocity [m/s], density [kg/m3],
   /// viscosity [Pa s], void_fraction, saturation [-], pressure_gradient [Pa/m] (with hydrostatics;
-  /// time mean over the last advance, so that particles receive the impulse that the fluid gave).
+  /// time mean over the last advance, so that particles receive the impulse that the fluid gave),
+  /// drag_reaction [Pa/m] (time mean of the force density of exchange() over the void fraction).
   virtual std::vector<Field> samples() const = 0;
   virtual Home locate(Vec3 const& position_m, int hint_cell) = 0;
   /// Keeps position and cell of this rank's particles; the kernel of deposit and sample until the
@@ -74,6 +75,7 @@ class FluidEngine : public Engine {
   /// Drag of the coming window, per particle: K [kg/s], velocity [m/s], and a constant extra force
   /// on the fluid [N] (the ledger being repaid). The engine spreads them with weights proportional
   /// to density x void fraction at window start and solves K implicitly. Not called one-way.
+  /// K may be negative where a grain pulls the fluid along (stiff regime), never the whole matrix.
   virtual void exchange(Table::ConstColumn drag_kg_s, Table::ConstColumn velocity_m_s,
                         Table::ConstColumn force_N) = 0;
   virtual void advance(Window const& window) = 0;
@@ -89,16 +91,23 @@ class FluidEngine : public Engine {
   /// pressure gradient [N], for budgets that must be able to fail.
   virtual double solid_volume_m3() const = 0;
   virtual Vec3 solid_pressure_force() const = 0;
+  /// The same of solid fraction times drag_reaction [N]; for engines that offer that field.
+  virtual Vec3 solid_reaction_force() const { return Vec3::Zero(); }
 };
 
 /// Particles. gather -> (exchange) -> apply -> advance, once a window. `memory` is what the coupler
-/// wants kept with each particle wherever it migrates (4 components, opaque, zero at first).
+/// wants kept with each particle wherever it migrates (opaque, zero at first; as many components as
+/// the tables' column has, the same in a run).
 class ParticleEngine : public Engine {
  public:
   /// Fills position [m], velocity [m/s], radius [m], mass [kg], impulse [kg m/s] (drag impulse
   /// received since the last apply) and memory of this rank's particles, as far as the table has
   /// the column.
   virtual void gather(Table& particles) = 0;
+  /// Columns that gather() can fill beyond those, for scenes that need them (the stiff regime):
+  /// travel [m] since the last apply, other_force [N] (all but the fluid's, now), stiffest [N/m]
+  /// (physics/contact_secant.hpp).
+  virtual std::vector<std::string> extras() const { return {}; }
   /// Same rows as the last gather: drag [kg/s], fluid_velocity [m/s], force [N] to act during the
   /// coming advance through the exponential kick (physics/exponential_kick.hpp), and memory; only
   /// columns that an enabled model fills are there.
