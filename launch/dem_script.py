@@ -114,8 +114,9 @@ def read(script: Path, parameters: Path | None = None) -> DemScene:
                 if rest[2].startswith("property/global") and rest[3:4] == ["kn"]:
                     scene.stiffness_N_m = max(filter(math.isfinite, map(_number, rest[6:])), default=None)
             scene.creates |= bool(set(words[:4]) & set(CREATORS))
+    looped = any(words[0] == "jump" for words in scene.commands)  # a line may run many times
     if singles and scene.positions is None:
-        scene.positions = np.array(singles)
+        scene.positions = None if looped else np.array(singles)
         if diameter is not None:
             scene.diameters = np.full(len(singles), diameter)
         if density is not None:
