@@ -75,9 +75,18 @@ def prepare(case: Case, directory: Path, ranks_fluid: int | None = None,
     else:  # a prescribed flow is one rank's work
         fluid_ranks = 0 if case.get("fluid.engine") == "none" else ranks_fluid or 1
     dem_ranks = ranks_dem or ranks.suggested(known.particles or 0, ranks.PARTICLES_A_RANK) if dem else 0
+    ready = Prepared(directory, known, fluid_ranks, dem_ranks, 0.0, case.get("fluid.engine"),
+                     case.get("dem.engine"))
+    _choose_regime(case, ready)
     write_case(case, directory, fluid_ranks, dem_ranks)
-    return Prepared(directory, known, fluid_ranks, dem_ranks, time.monotonic() - start,
-                    case.get("fluid.engine"), case.get("dem.engine"))
+    ready.prepare_s = time.monotonic() - start
+    return ready
+
+
+def _choose_regime(case: Case, ready: Prepared) -> None:
+    from launch import regime  # which needs Prepared
+
+    regime.choose(case, ready)
 
 
 def write_case(case: Case, directory: Path, ranks_fluid: int, ranks_dem: int) -> None:

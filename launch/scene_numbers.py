@@ -21,6 +21,7 @@ def collect(case: Case, ready: Prepared) -> dict[str, object]:
         "end_time_s": case.get("case.end_time"),
         "gravity_m_s2": math.hypot(*case.get("physics.gravity")),
         "two_way": case.get("coupling.reaction") == "two_way",
+        "regime": case.get("coupling.regime"),
         "drag": case.get("models.drag"),
         "drag_coefficient": case.get("models.drag_coefficient"),
         "formulation": case.get("models.formulation"),

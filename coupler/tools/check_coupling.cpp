@@ -49,25 +49,50 @@ double packed_drag(Facts const& facts, double eps, double largest_slip) {
   return drag_of(facts, high, eps);
 }
 
-void check_stiffness(Facts const& facts, Sheet& sheet) {
-  std::string const quantity = "response of the drag in a window, K W/m";
-  if (!sheet.needs(facts, quantity,
-                   {"window_s", "diameter_min_m", "particle_density_min_kg_m3",
-                    "fluid_density_kg_m3", "fluid_viscosity_Pa_s"})) {
-    return;
-  }
-  if (!facts.has("slip_m_s") && !facts.has("speed_m_s")) {
-    sheet.left_out(quantity, "not known: slip_m_s or speed_m_s");
-    return;
-  }
+bool stiff(Facts const& facts) {
+  return facts.text("regime", "mild") == "stiff" && facts.flag("two_way", true);
+}
+
+/// The drag of the smallest particle where it is largest.
+struct Response {
+  double drag_kg_s;
+  double mass_kg;
+  double solid_fraction;
+  double x;  ///< K W/m
+};
+
+Response response_of(Facts const& facts) {
   double const slip = facts.has("slip_m_s") ? facts.number("slip_m_s") : facts.number("speed_m_s");
-  bool const two_way = facts.flag("two_way", true);
-  double const phi = two_way ? solid_fraction(facts) : 0;  // one-way, the law sees no void fraction
+  // One-way, the law sees no void fraction.
+  double const phi = facts.flag("two_way", true) ? solid_fraction(facts) : 0;
   double const mass =
       facts.number("particle_density_min_kg_m3") * sphere_volume(facts.number("diameter_min_m"));
   double const drag = std::max(drag_of(facts, slip, 1), packed_drag(facts, 1 - phi, slip));
+  return {drag, mass, phi, limits::stiffness(drag, facts.number("window_s"), mass)};
+}
+
+/// Whether the facts tell enough; else the sheet names what is missing.
+bool tells_response(Facts const& facts, Sheet& sheet, std::string const& quantity) {
+  if (!sheet.needs(facts, quantity,
+                   {"window_s", "diameter_min_m", "particle_density_min_kg_m3",
+                    "fluid_density_kg_m3", "fluid_viscosity_Pa_s"})) {
+    return false;
+  }
+  if (!facts.has("slip_m_s") && !facts.has("speed_m_s")) {
+    sheet.left_out(quantity, "not known: slip_m_s or speed_m_s");
+    return false;
+  }
+  return true;
+}
+
+void check_stiffness(Facts const& facts, Sheet& sheet) {
+  std::string const quantity = "response of the drag in a window, K W/m";
+  if (!tells_response(facts, sheet, quantity)) {
+    return;
+  }
+  bool const two_way = facts.flag("two_way", true);
+  auto const [drag, mass, phi, x] = response_of(facts);
   double const window = facts.number("window_s");
-  double const x = limits::stiffness(drag, window, mass);
   double const loading = limits::loading(phi, facts.number("particle_density_min_kg_m3"),
                                          facts.number("fluid_density_kg_m3"));
   // A fluid that hardly feels the particles cannot answer them wrongly: only the mixture must be
@@ -75,8 +100,15 @@ void check_stiffness(Facts const& facts, Sheet& sheet) {
   bool const answers = two_way && x * loading > limits::mild_stiffness;
   double const comfort =
       phi > limits::dense_solid_fraction ? limits::dense_mild_stiffness : limits::mild_stiffness;
-  sheet.at_most(quantity, x, comfort, answers ? limits::mild_stiffness : INFINITY,
-                "proven range of the serial coupling", {"coupling.window", window * comfort / x});
+  if (stiff(facts)) {
+    sheet.at_most(quantity, x, limits::largest_stiffness, limits::largest_stiffness,
+                  "proven range of the stiff regime",
+                  {"coupling.window", window * limits::largest_stiffness / x});
+  } else {
+    sheet.at_most(quantity, x, comfort, answers ? limits::mild_stiffness : INFINITY,
+                  "proven range of the mild regime; coupling.regime = \"stiff\" goes to 1e4",
+                  {"coupling.window", window * comfort / x});
+  }
   if (two_way) {
     double const mixture = limits::mixture_stiffness(x, loading);
     sheet.at_most("relaxation of the mixture, K W/m (1 + loading)", mixture,
@@ -91,6 +123,13 @@ void check_stiffness(Facts const& facts, Sheet& sheet) {
   }
 }
 
+/// Stiff regime with drag strong enough to damp what the lag of the added mass feeds.
+bool drag_damps(Facts const& facts, double from_stiffness) {
+  Sheet unseen;
+  return stiff(facts) && facts.text("drag", "di_felice") != "none" &&
+         tells_response(facts, unseen, "") && response_of(facts).x >= from_stiffness;
+}
+
 void check_added_mass(Facts const& facts, Sheet& sheet) {
   std::string const quantity = "added-mass number rho_f phi/(rho_s eps)";
   if (!facts.flag("two_way", true)) {
@@ -98,12 +137,14 @@ void check_added_mass(Facts const& facts, Sheet& sheet) {
     return;
   }
   if (sheet.needs(facts, quantity, {"particle_density_min_kg_m3", "fluid_density_kg_m3"})) {
-    double const comfort = limits::comfortable_added_mass_number;
+    double const comfort =
+        stiff(facts) ? limits::mild_added_mass_number : limits::comfortable_added_mass_number;
+    double const limit = drag_damps(facts, limits::mild_stiffness) ? limits::stiff_added_mass_number
+                                                                   : limits::mild_added_mass_number;
     double const number =
         limits::added_mass_number(solid_fraction(facts), facts.number("particle_density_min_kg_m3"),
                                   facts.number("fluid_density_kg_m3"));
-    sheet.at_most(quantity, number, comfort, limits::mild_added_mass_number,
-                  "inertia that comes back a window late",
+    sheet.at_most(quantity, number, comfort, limit, "inertia that comes back a window late",
                   {"parameters.particle_density",
                    facts.number("particle_density_min_kg_m3") * number / comfort});
   }
@@ -115,6 +156,10 @@ void check_waves(Facts const& facts, Sheet& sheet) {
       !sheet.needs(facts, quantity,
                    {"window_s", "smoothing_length_m", "stiffness_N_m", "diameter_min_m",
                     "diameter_max_m", "particle_density_min_kg_m3", "fluid_density_kg_m3"})) {
+    return;
+  }
+  if (drag_damps(facts, limits::damping_stiffness)) {
+    sheet.left_out(quantity, "stiff regime: drag damps them");
     return;
   }
   double const density = facts.number("particle_density_min_kg_m3");

@@ -53,6 +53,7 @@ std::vector<std::string> const& known_facts() {
                                               "end_time_s",
                                               "gravity_m_s2",
                                               "two_way",
+                                              "regime",
                                               "dem_dt_s",
                                               "coarse_grain",
                                               "smoothing_length_m",
@@ -105,6 +106,7 @@ void add_case(Scene const& scene, Facts& facts) {
     facts.add_missing("gravity_m_s2", scene.vector("physics.gravity").norm());
   }
   facts.add_missing("two_way", scene.text("coupling.reaction", "two_way") == "two_way");
+  facts.add_missing("regime", scene.text("coupling.regime", "mild"));
   facts.add_missing("drag", scene.text("models.drag", "di_felice"));
   facts.add_missing("drag_coefficient", scene.text("models.drag_coefficient", "brown_lawler"));
   facts.add_missing("formulation", scene.text("models.formulation", "A"));

@@ -1,7 +1,7 @@
 // The measured numbers of a scene that the pre-flight check works from: one flat JSON object, SI
 // units in the names. All are optional: a check whose numbers are missing is left out and says so.
 //
-//   window_s end_time_s gravity_m_s2 two_way              case.toml has these too; facts win
+//   window_s end_time_s gravity_m_s2 two_way regime       case.toml has these too; facts win
 //   dem_dt_s coarse_grain smoothing_length_m
 //   drag drag_coefficient formulation                     names of coupler/physics/drag_models.hpp
 //   particles diameter_min_m diameter_max_m               number of particles, their sizes

@@ -10,8 +10,8 @@ struct FakeDem : ParticleEngine {
   Vec3 gravity = session.scene().vector("physics.gravity"), received = Vec3::Zero();
   double length = number("parameters.length"), radius = number("parameters.radius");
   double mass = number("parameters.particle_density") * 4 / 3 * M_PI * std::pow(radius, 3);
-  Eigen::Matrix3Xd x, v, impulse;  // one column a particle
-  Table now;                       // the last answers
+  Eigen::Matrix3Xd x, v, impulse, travel;  // one column a particle
+  Table now;                               // the last answers
 
   explicit FakeDem(Session& s) : session(s) {
     long const total = long(number("parameters.particles"));
@@ -22,11 +22,12 @@ struct FakeDem : ParticleEngine {
       Eigen::Array3d const size(length, 1, 0.5), low(0, 0, 0.5);
       x.col(i - begin) = low + size * (share - share.floor());
     }
-    v = impulse = 0 * x;
+    v = impulse = travel = 0 * x;
+    bool const stiff = s.scene().text("coupling.regime", "mild") == "stiff";
     for (Field const& field : {Field{"drag", "kg/s", 1},
                                {"fluid_velocity", "m/s", 3},
                                {"force", "N", 3},
-                               {"memory", "-", 4}})
+                               {"memory", "-", stiff ? 8 : 4}})
       now.add(field);
     now.resize(x.cols());
   }
@@ -39,9 +40,15 @@ struct FakeDem : ParticleEngine {
     if (particles.has("velocity")) particles["velocity"] = v;
     if (particles.has("impulse")) particles["impulse"] = impulse;
     if (particles.has("memory")) particles["memory"] = now["memory"];
+    if (!particles.has("travel")) return;  // wanted in the stiff regime only
+    particles["travel"] = travel;
+    particles["other_force"].colwise() = mass * gravity;
+    particles["stiffest"].setZero();  // they never touch
   }
+  std::vector<std::string> extras() const override { return {"travel", "other_force", "stiffest"}; }
   void apply(Table const& answers) override {
     impulse.setZero();
+    travel.setZero();
     received.setZero();
     for (Field const& field : answers.fields()) now[field.name] = answers[field.name];
   }
@@ -51,6 +58,7 @@ struct FakeDem : ParticleEngine {
     for (int step = 0; step < (dt > 0 ? 10 : 0); ++step) {
       kick(dt / 2, dropped(session, "drop_substep", window.index, step == 7));
       x += dt * v;
+      travel += dt * v;
       x.row(0) =
           x.row(0).unaryExpr([this](double p) { return p - length * std::floor(p / length); });
       kick(dt / 2, false);
@@ -69,7 +77,8 @@ struct FakeDem : ParticleEngine {
     }
   }
   void resize(long left) {
-    for (Eigen::Matrix3Xd* column : {&x, &v, &impulse}) column->conservativeResize(3, left);
+    for (Eigen::Matrix3Xd* column : {&x, &v, &impulse, &travel})
+      column->conservativeResize(3, left);
     now.resize(left);
   }
   std::optional<Vec3> received_impulse() const override { return received; }

@@ -16,6 +16,7 @@ struct FakeFluid : FluidEngine {
   Eigen::ArrayXd solid = Eigen::ArrayXd::Zero(cells), drag = solid, mass = drag + density * volume;
   Eigen::Matrix3Xd u = Vec3(number("parameters.fluid_velocity"), 0, 0).replicate(1, cells);
   Eigen::Matrix3Xd mean_u = u, source = 0 * u;  // source: sum of K v + force [N]
+  Eigen::Matrix3Xd reaction = 0 * u;            // drag's force density over the void fraction
   Eigen::Matrix3Xd grad_p = density * gravity * Eigen::RowVectorXd::LinSpaced(cells, 1, 2);
   std::vector<int> cell;  // of each particle, as placed
 
@@ -23,7 +24,13 @@ struct FakeFluid : FluidEngine {
   std::vector<Field> samples() const override {
     Field const velocity{"velocity", "m/s", 3}, mean{"mean_velocity", "m/s", 3};
     Field const rho{name_of_density(session), "kg/m3", 1}, mu{"viscosity", "Pa s", 1};
-    return {velocity, mean, rho, mu, {"void_fraction", "-", 1}, {"pressure_gradient", "Pa/m", 3}};
+    return {velocity,
+            mean,
+            rho,
+            mu,
+            {"void_fraction", "-", 1},
+            {"pressure_gradient", "Pa/m", 3},
+            {"drag_reaction", "Pa/m", 3}};
   }
   Home locate(Vec3 const& x, int) override {
     Vec3 const inside = x.cwiseMax(bounds().low).cwiseMin(bounds().high);
@@ -48,12 +55,13 @@ struct FakeFluid : FluidEngine {
   void advance(Window const& window) override {
     break_down(session, "fluid", window.index);
     given = Vec3::Zero();
-    mean_u = 0 * u;
+    mean_u = reaction = 0 * u;
     double const dt = window.length_s() / 4;
     for (int k = 0; k < (dt > 0 ? 4 * (last - first) : 0); ++k) {
       int const c = first + k % (last - first);
       u.col(c) = (mass[c] * u.col(c) + dt * source.col(c)) / (mass[c] + dt * drag[c]);
       mean_u.col(c) += u.col(c) / 4;
+      reaction.col(c) += (drag[c] * u.col(c) - source.col(c)) / (volume - solid[c]) / 4;
       if (forgotten(session, window.index, c == cells / 2)) continue;
       given += dt * (drag[c] * u.col(c) - source.col(c));
     }
@@ -67,11 +75,13 @@ struct FakeFluid : FluidEngine {
       if (field == "viscosity") out(0, i) = viscosity;
       if (field == "void_fraction") out(0, i) = 1 - solid[cell[i]] / volume;
       if (field == "pressure_gradient") out.col(i) = grad_p.col(cell[i]);
+      if (field == "drag_reaction") out.col(i) = reaction.col(cell[i]);
     }
   }
   Vec3 given_impulse() const override { return given; }
   double solid_volume_m3() const override { return solid.sum(); }
   Vec3 solid_pressure_force() const override { return grad_p * solid.matrix(); }
+  Vec3 solid_reaction_force() const override { return reaction * solid.matrix(); }
   std::vector<Quantity> quantities() const override { return {{"cells", double(cells)}}; }
 };
 

@@ -25,6 +25,7 @@ window = {window}
 smoothing_length = 0.1
 patience = {patience}
 reaction = "{reaction}"
+regime = "{regime}"
 outside = "{outside}"
 [models]
 drag = "{drag}"
@@ -39,14 +40,14 @@ cells = 12
 length = 2.0
 fluid_density = 1000.0
 fluid_velocity = 0.5
-viscosity = 0.001
+viscosity = {viscosity}
 particles = {particles}
 radius = 0.02
 particle_density = 2650.0
 fault = "{fault}"
 """
-DEFAULTS = dict(end_time=0.2, window=0.01, patience=30.0, reaction="two_way", outside="error",
-                drag="di_felice", fluid_engine="fake", particles=500, fault="")
+DEFAULTS = dict(end_time=0.2, window=0.01, patience=30.0, reaction="two_way", regime="mild", outside="error",
+                drag="di_felice", fluid_engine="fake", particles=500, fault="", viscosity=0.001)
 
 
 class Run:
@@ -146,6 +147,29 @@ def broken_budgets(options):
     assert found["momentum_defect"] > 1e-7, found
     found = Run(options, "drop_volume", fault="drop_volume").must_pass().summary()["budgets"]
     assert found["solid_volume_defect"] > 1e-3 and found["pressure_defect"] > 1e-3, found
+
+
+def stiff(options):
+    """K W/m of 1 to 300 in the stiff regime: budgets close, fluid and particles come to one velocity
+    (but for gravity), on any number of ranks; a budget still sees what is dropped."""
+    rows = []
+    for viscosity in (10.0, 3000.0):
+        for fluid, dem in ((1, 1), (2, 3)):
+            run = Run(options, f"stiff_{viscosity:g}_{fluid}_{dem}", fluid, dem, regime="stiff",
+                      viscosity=viscosity).must_pass()
+            summary = run.summary()
+            assert summary["budgets"]["momentum_defect"] < 1e-12, summary["budgets"]
+            assert summary["bytes_per_particle"] == 240, summary["bytes_per_particle"]
+            assert "stiff regime" in [feature["name"] for feature in summary["active"]]
+            rows.append(run.rows())
+    for one, two in zip(rows[0] + rows[2], rows[1] + rows[3]):
+        for key in one:
+            if not key.endswith("_defect"):
+                assert abs(one[key] - two[key]) <= 1e-9 * max(1, abs(one[key])), (key, one, two)
+    for fault in ("drop_cell", "drop_rank", "drop_substep"):
+        found = Run(options, "stiff_" + fault, fault=fault, regime="stiff",
+                    viscosity=10.0).must_pass().summary()["budgets"]
+        assert found["momentum_defect"] > 1e-6, (fault, found)
 
 
 def one_way(options):
@@ -255,7 +279,7 @@ def uniform_flow(options):
     text = CASE.format(**{**DEFAULTS, "reaction": "one_way", "end_time": 0.05})
     flow = """[uniform_flow]
 density = 1000.0
-viscosity = 0.001
+viscosity = {viscosity}
 amplitude = [0.3, 0.0, 0.0]
 period = 0.2
 """

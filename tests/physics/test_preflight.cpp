@@ -102,6 +102,34 @@ TEST(Preflight, EachBreakageIsFoundAndItsRemedyMendsIt) {
   }
 }
 
+TEST(Preflight, StiffRegimeAdmitsWhatIsProven) {
+  json values = sound();
+  values["regime"] = "stiff";
+  values["fluid_viscosity_Pa_s"] = 1e6;
+  EXPECT_EQ(row_of(examine(values), "response of the drag in a window, K W/m").verdict, "ok");
+  values["fluid_viscosity_Pa_s"] = 1e13;
+  EXPECT_EQ(row_of(examine(values), "response of the drag in a window, K W/m").verdict, "bad");
+}
+
+TEST(Preflight, StiffDragDampsWhatTheLagOfTheAddedMassFeeds) {
+  json values = sound();
+  values["window_s"] = 0.06;
+  values["particle_density_min_kg_m3"] = 1100;
+  for (char const* regime : {"mild", "stiff"}) {
+    values["regime"] = regime;
+    values["fluid_viscosity_Pa_s"] = 1e-3;  // weak drag damps nothing in either
+    EXPECT_EQ(row_of(examine(values), "kernels that a contact wave runs in a window").verdict,
+              "bad");
+    EXPECT_EQ(row_of(examine(values), "added-mass number rho_f phi/(rho_s eps)").verdict, "bad");
+  }
+  values["fluid_viscosity_Pa_s"] = 1e6;
+  EXPECT_EQ(row_of(examine(values), "kernels that a contact wave runs in a window").verdict,
+            "note");
+  EXPECT_EQ(row_of(examine(values), "added-mass number rho_f phi/(rho_s eps)").verdict, "warn");
+  values["particle_density_min_kg_m3"] = 900;
+  EXPECT_EQ(row_of(examine(values), "added-mass number rho_f phi/(rho_s eps)").verdict, "bad");
+}
+
 TEST(Preflight, StepThatWorksDividesTheWindow) {
   json values = sound();
   values["dem_dt_s"] = 4e-3;

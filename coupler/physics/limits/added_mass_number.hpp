@@ -8,6 +8,7 @@ namespace slidewave::limits {
 
 /// The mild coupling is proven up to here (a closed column failed at 2.1).
 constexpr double mild_added_mass_number = 1.0;
+constexpr double stiff_added_mass_number = 1.5;        ///< stiff regime, where drag damps
 constexpr double comfortable_added_mass_number = 0.6;  ///< rock in water at 0.6
 
 inline double added_mass_number(double solid_fraction, double solid_density, double fluid_density,

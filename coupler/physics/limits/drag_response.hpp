@@ -4,8 +4,8 @@
 //   x (1 + loading)           of the slip in a mixture whose fluid moves too,
 //                             loading = solid mass/fluid mass = phi rho_s/(eps rho_f)
 //
-// The exponential kick is exact for any x with the fluid frozen. The window coupling as built is
-// for x < 0.3 (DESIGN.md 4, the mild regime); columns of spheres that fall, jam and are lifted
+// The exponential kick is exact for any x with the fluid frozen. The mild regime's window coupling
+// is for x < 0.3; columns of spheres that fall, jam and are lifted
 // again stayed right up to 0.15 at a solid fraction of 0.6 and blew up at 0.3 (at 0.3: fraction 0.3
 // still right). The rate of a free suspension is right for x (1 + loading) < 0.2.
 #pragma once
@@ -16,6 +16,11 @@ constexpr double mild_stiffness = 0.3;
 constexpr double dense_mild_stiffness = 0.15;  ///< at solid fractions above dense_solid_fraction
 constexpr double dense_solid_fraction = 0.45;
 constexpr double accurate_mixture_stiffness = 0.2;
+/// The stiff regime (docs/stability.md): columns stayed right to here.
+constexpr double largest_stiffness = 1e4;
+/// From here on it also damps contact waves (and from mild_stiffness compression, up to
+/// stiff_added_mass_number).
+constexpr double damping_stiffness = 0.1;
 
 /// m/K [s].
 inline double response_time(double mass_kg, double drag_kg_s) {

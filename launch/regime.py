@@ -1,0 +1,25 @@
+"""coupling.regime = "auto": mild where the pre-flight check proves it, else stiff."""
+
+from __future__ import annotations
+
+from launch import preflight, progress, scene_numbers
+from launch.case import Case
+
+RESPONSE = "response of the drag in a window, K W/m"
+
+
+def choose(case: Case, ready: preflight.Prepared) -> None:
+    """Puts "mild" or "stiff" in the place of "auto". What is not known is taken for mild; a fluid that
+    hardly feels its particles (a limit that is never bad) is mild too."""
+    if case.get("coupling.regime") != "auto":
+        return
+    coupled = case.get("fluid.engine") == "openfoam" and case.get("dem.engine") != "none"
+    feels = case.get("coupling.reaction") == "two_way" and case.get("models.drag") != "none"
+    rows = []
+    if coupled and feels and case.get("models.pressure_gradient"):
+        rows = preflight.tool_findings(scene_numbers.collect(case, ready) | {"regime": "mild"})
+    stiff = any(row.quantity == RESPONSE and (row.bad or (row.verdict == "warn" and row.value <= row.limit))
+                for row in rows)
+    case.put("coupling.regime", "stiff" if stiff else "mild")
+    if stiff:
+        progress.say("coupling.regime: stiff (K W/m is beyond the mild regime)")
