@@ -21,6 +21,9 @@ namespace {
 std::map<std::string, int> const known_columns = {
     {"drag", 1}, {"fluid_velocity", 3}, {"force", 3}, {"impulse", 3}, {"memory", 4}, {"start", 3}};
 
+/// Where an atom stood that was inserted since begin_window().
+constexpr double nowhere_m = 1e300;
+
 bool given_as_numbers(std::string const& column) {
   return column == "drag" || column == "fluid_velocity" || column == "force";
 }
@@ -46,7 +49,8 @@ FixSlidewave::FixSlidewave(LAMMPS* lammps, int argument_count, char** arguments)
     if (name == "memory" && next < argument_count && std::isdigit(arguments[next][0])) {
       column.components = force->inumeric(FLERR, arguments[next++]);
     }
-    column.initial.assign(static_cast<std::size_t>(column.components), 0.0);
+    column.initial.assign(static_cast<std::size_t>(column.components),
+                          name == "start" ? nowhere_m : 0.0);
     if (given_as_numbers(name)) {
       if (next + column.components > argument_count) {
         error->fix_error(FLERR, this, "a column lacks its initial values");
@@ -110,6 +114,9 @@ void FixSlidewave::begin_window() {
 
 std::array<double, 3> FixSlidewave::travel(int i) const {
   std::array<double, 3> way{};
+  if (*values("start", i) >= nowhere_m) {
+    return way;
+  }
   domain->unmap(atom->x[i], atom->image[i], way.data());
   double const* const start = values("start", i);
   for (unsigned axis = 0; axis < 3; ++axis) {

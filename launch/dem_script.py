@@ -117,10 +117,15 @@ def read(script: Path, parameters: Path | None = None) -> DemScene:
     looped = any(words[0] == "jump" for words in scene.commands)  # a line may run many times
     if singles and scene.positions is None:
         scene.positions = None if looped else np.array(singles)
-        if diameter is not None:
+        if not looped and diameter is not None:
             scene.diameters = np.full(len(singles), diameter)
-        if density is not None:
+        if not looped and density is not None:
             scene.densities = np.full(len(singles), density)
+    # Of particles that are not counted, the one size that `set` gives.
+    if scene.diameters is None and scene.positions is None and diameter is not None:
+        scene.diameters = np.array([diameter])
+    if scene.densities is None and scene.positions is None and density is not None:
+        scene.densities = np.array([density])
     return scene
 
 

@@ -19,7 +19,11 @@ void recall_contacts(Table const& particles, double last_window_s, Vec3 const& g
   auto const travel = particles["travel"];
   auto const force = particles["other_force"];
   derived["other_force"] = force;
-  derived["solid_velocity"] = (last_window_s > 0 ? 1 / last_window_s : 0.0) * travel;
+  if (last_window_s > 0) {
+    derived["solid_velocity"] = travel / last_window_s;
+  } else {
+    derived["solid_velocity"] = particles["velocity"];
+  }
   auto stiffness = derived["stiffness"];
   for (long i = 0; i < particles.size(); ++i) {
     Vec3 const weight = particles["mass"](0, i) * gravity_m_s2;

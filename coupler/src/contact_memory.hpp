@@ -10,7 +10,8 @@ namespace slidewave {
 constexpr int contact_memory = 4;
 
 /// Fills derived solid_velocity [m/s] (travel over the last window, of `last_window_s`: what the
-/// ramp of the void fraction shows to the fluid), other_force [N] and stiffness [N/m] from the
+/// ramp of the void fraction shows to the fluid; at first the velocity, or a suspension that starts
+/// in motion would be stopped for a window), other_force [N] and stiffness [N/m] from the
 /// gathered travel, other_force, stiffest, mass and memory.
 void recall_contacts(Table const& particles, double last_window_s, Vec3 const& gravity_m_s2,
                      Table& derived);

@@ -279,7 +279,7 @@ def uniform_flow(options):
     text = CASE.format(**{**DEFAULTS, "reaction": "one_way", "end_time": 0.05})
     flow = """[uniform_flow]
 density = 1000.0
-viscosity = {viscosity}
+viscosity = 0.001
 amplitude = [0.3, 0.0, 0.0]
 period = 0.2
 """

@@ -114,6 +114,7 @@ TEST(Preflight, StiffRegimeAdmitsWhatIsProven) {
 TEST(Preflight, StiffDragDampsWhatTheLagOfTheAddedMassFeeds) {
   json values = sound();
   values["window_s"] = 0.06;
+  values["speed_m_s"] = 4;
   values["particle_density_min_kg_m3"] = 1100;
   for (char const* regime : {"mild", "stiff"}) {
     values["regime"] = regime;

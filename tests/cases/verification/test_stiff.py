@@ -31,7 +31,8 @@ class FreeSuspension(Verification):
         run = self.run_case(
             "suspension", parameters__spacing=spacing, parameters__fluid_density=fluid,
             parameters__fluid_viscosity=spheres.stokes_viscosity(drag, eps, diameter),
-            coupling__smoothing_length=1.5 * spacing, case__end_time=end, output__interval=end)
+            coupling__smoothing_length=2.4 * spacing, case__end_time=end, output__interval=end,
+            force=True)  # the check takes a fraction of 0.6 where a script leaves particles uncounted
         case = f"suspension, fraction {phi:g}, loading {loading:g}, K W/m {x:g}"
         v = run.history["one_vz_m_s"]
         first = phi * density * speed
@@ -42,7 +43,7 @@ class FreeSuspension(Verification):
         self.budgets_close(case, run)
         slip = np.abs(v - u) / speed
         rise = float(np.diff(slip[slip > 1e-9]).max(initial=-1.0))
-        self.near(case, "largest rise of the slip", max(0.0, rise), 0, 1e-12, run)
+        self.near(case, "largest rise of the slip", max(0.0, rise), 0, 1e-9, run)
         if x * (1 + loading) >= 1:
             mixture = speed * loading / (1 + loading)
             self.near(case, "final velocity", v[-1], mixture, 1e-6, run)
@@ -57,6 +58,16 @@ class FreeSuspension(Verification):
 
     def test_light(self) -> None:
         self.comes_to_rest(0.01, 1e-3, 1e4)
+
+    def test_mild_coupling_fails_here(self) -> None:
+        """The mild coupling is refused by number, and wrong where it is forced: the remainder of what the
+        fluid gave too much of comes back late, and the particles never catch up."""
+        viscosity = spheres.stokes_viscosity(100 * 2650.0 * spheres.volume(SPACING) / WINDOW, 0.7, SPACING)
+        settings = {"parameters__fluid_viscosity": viscosity, "coupling__regime": "mild"}
+        self.run_case("suspension", expect=1, **settings)
+        run = self.run_case("suspension", force=True, **settings)
+        loading = 2650 * 0.303 / (1000 * 0.697)
+        self.assertGreater(abs(run.history["one_vz_m_s"][-1] - 0.01 * loading / (1 + loading)), 1e-3)
 
     @unittest.skipUnless(FULL, "full verification only")
     def test_full(self) -> None:
@@ -107,6 +118,32 @@ class HeldBed(Verification):
             overshoot = max(flow[:half].max(), flow[half:].max() / 2) - 1
             self.near(case, "overshoot", max(0.0, overshoot), 0, 0.02, run)
 
+    def freed_settings(self, x: float, softness: float, ratio: float, windows: int) -> dict:
+        """A gap of a twentieth of the spacing, and a flow that closes it in a dozen windows, then turns."""
+        settings = self.settings(x, softness, ratio, 0.95 * SPACING, windows)
+        self.u = 0.05 * SPACING / (12 * WINDOW)
+        pressure = self.pressure(self.eps, self.u) / 1000.0
+        return settings | {"parameters__pressure_first": pressure, "parameters__pressure_second": -pressure}
+
+    def holds_frees_and_jams(self, x: float, softness: float, ratio: float, windows: int = 120) -> None:
+        """Free spheres between frozen ones, with a gap: the flow jams them against the one side, lets
+        go as it turns, and jams them against the other. While they are free the flow is twice Darcy's
+        at most (they move with it); a jam may cost one window of another factor of two."""
+        run = self.run_case("held_bed", **self.freed_settings(x, softness, ratio, windows))
+        case = f"held, freed and jammed, density ratio {ratio:g}, K W/m {x:g}, softness {softness:g}"
+        flow = -run.probe("U")[:, 3] / self.u
+        half = windows // 2
+        height = run.history["one_z_m"] - run.history["one_z_m"][0]
+        self.budgets_close(case, run)
+        self.assertLess(height[half], -0.04 * SPACING)
+        self.assertGreater(height[-1], 0.04 * SPACING)
+        self.near(case, "jammed flow over Darcy's", flow[half - 1], 1, 0.01, run)
+        self.near(case, "jammed flow over Darcy's, turned", flow[-1], -1, 0.01, run)
+        self.near(case, "largest flow over Darcy's, above 4", max(0, np.abs(flow).max() - 4), 0, 1e-9, run)
+
+    def test_freed_and_jammed(self) -> None:
+        self.holds_frees_and_jams(100, 0.01, 2.65)
+
     def test_stiff(self) -> None:
         self.carries_darcys_flow(100, 0.01, 2.65)
 
@@ -114,27 +151,19 @@ class HeldBed(Verification):
         self.carries_darcys_flow(1, 0.01, 1000)
 
     def test_stiffest(self) -> None:
-        self.carries_darcys_flow(1e4, 1, 2.65, 80)
-
-    def test_mild_coupling_fails_here(self) -> None:
-        """The same bed with the mild coupling is refused by number, and wrong where it is forced."""
-        settings = self.settings(100, 0.01, 2.65, 1.001 * SPACING, 30) | {"coupling__regime": "mild"}
-        self.run_case("held_bed", expect=1, **settings)
-        try:
-            run = self.run_case("held_bed", force=True, **settings)
-        except AssertionError:
-            return  # it blew up
-        flow = -run.probe("U")[:, 3] / self.u
-        self.assertGreater(np.abs(flow - 1).max(), 1.5)
+        self.carries_darcys_flow(6e3, 1, 2.65, 80)  # 1e4 by the check, which takes 0.6 for the fraction
 
     @unittest.skipUnless(FULL, "full verification only")
     def test_full(self) -> None:
         for ratio in (1.5, 2.65, 20, 1000):
             for x, windows in ((0.1, 400), (1, 60), (10, 30), (100, 30), (1e3, 30)):
                 self.carries_darcys_flow(x, 0.01, ratio, windows)
-            self.carries_darcys_flow(1e4, 1, ratio, 80)
+            self.carries_darcys_flow(6e3, 1, ratio, 80)
+        for ratio in (1.5, 2.65, 1000):
+            for x in (1, 10, 1e3):
+                self.holds_frees_and_jams(x, 0.01, ratio)
         self.carries_darcys_flow(1e-2, 0.01, 20, 1000)
-        self.carries_darcys_flow(1e4, 0.01, 2.65, 20)
+        self.carries_darcys_flow(6e3, 0.01, 2.65, 20)
 
 
 if __name__ == "__main__":
