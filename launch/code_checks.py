@@ -13,7 +13,7 @@ from launch.errors import RunError
 from launch.progress import say
 
 SOURCES = ("*.cpp", "*.hpp", "*.h", "*.C", "*.H")
-LINTED = ("coupler/src", "coupler/tools", "coupler/engines", "dem_side")
+LINTED = ("coupler/src", "coupler/tools", "coupler/engines", "dem_side", "dem_lammps")
 
 
 def own_sources() -> list[str]:
@@ -58,7 +58,8 @@ def under_sanitizers() -> None:
     if not (build / "build.ninja").is_file():
         _quietly(["cmake", "-S", str(places.ROOT), "-B", str(build), "-G", "Ninja",
                   "-DCMAKE_BUILD_TYPE=Debug", "-DSLIDEWAVE_SANITIZE=ON",
-                  "-DSLIDEWAVE_WITH_OPENFOAM=OFF", "-DSLIDEWAVE_WITH_LIGGGHTS=OFF"], "sanitizers: cmake")
+                  "-DSLIDEWAVE_WITH_OPENFOAM=OFF", "-DSLIDEWAVE_WITH_LIGGGHTS=OFF",
+                  "-DSLIDEWAVE_WITH_LAMMPS=OFF"], "sanitizers: cmake")
     _quietly(["ninja", "-C", str(build)], "sanitizers: build")
     _quietly(["ctest", "--test-dir", str(build), "-L", "coupler", "-j2", "--output-on-failure"],
              "sanitizers: tests")
