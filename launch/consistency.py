@@ -33,8 +33,8 @@ def _check_optional(case: Case) -> None:
     name = ranks.DEM_PROGRAMS.get(case.get("dem.engine"), "")
     package = ranks.OPTIONAL_PACKAGES.get(name)
     if package and not places.program(name).is_file():
-        raise case.error("dem.engine", f"{name} is not built: install the Debian package {package} "
-                         f"(apt-get install {package}), then ./slidewave setup")
+        raise case.error("dem.engine", f"{name} is not built: apt-get install --no-install-recommends "
+                         f"{package}, then ./slidewave setup")
 
 
 def _check_files(case: Case) -> None:

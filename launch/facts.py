@@ -80,5 +80,7 @@ def gather(case: Case, directory: Path) -> Facts:
     mesh = mesh_facts(directory / "fluid") if case.get("fluid.engine") == "openfoam" else None
     if case.get("dem.engine") == "none":
         return Facts(mesh, dem_script.DemScene())
+    if case.get("dem.engine") == "esys":  # a Python program: nothing is known before it runs
+        return Facts(mesh, dem_script.DemScene(creates=True, gravity=True))
     script = directory / case.get("dem.script")
     return Facts(mesh, dem_script.read(script, directory / "dem" / "parameters"))

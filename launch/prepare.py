@@ -74,7 +74,7 @@ def prepare(case: Case, directory: Path, ranks_fluid: int | None = None,
         (fluid / "case.foam").touch()
     else:  # a prescribed flow is one rank's work
         fluid_ranks = 0 if case.get("fluid.engine") == "none" else ranks_fluid or 1
-    dem_ranks = ranks_dem or ranks.suggested(known.particles or 0, ranks.PARTICLES_A_RANK) if dem else 0
+    dem_ranks = _dem_ranks(case, known, ranks_dem) if dem else 0
     ready = Prepared(directory, known, fluid_ranks, dem_ranks, 0.0, case.get("fluid.engine"),
                      case.get("dem.engine"))
     _choose_regime(case, ready)
@@ -87,6 +87,14 @@ def _choose_regime(case: Case, ready: Prepared) -> None:
     from launch import regime  # which needs Prepared
 
     regime.choose(case, ready)
+
+
+def _dem_ranks(case: Case, known: facts.Facts, wanted: int | None) -> int:
+    fixed = ranks.FIXED_DEM_RANKS.get(case.get("dem.engine"))
+    if fixed and wanted not in (None, fixed):
+        raise InputError("--ranks-dem", "ranks", wanted, f"dem.engine = \"{case.get('dem.engine')}\" takes "
+                         f"{fixed}: a master and one worker")
+    return fixed or wanted or ranks.suggested(known.particles or 0, ranks.PARTICLES_A_RANK)
 
 
 def write_case(case: Case, directory: Path, ranks_fluid: int, ranks_dem: int) -> None:

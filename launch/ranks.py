@@ -24,9 +24,11 @@ def suggested(amount: int, per_rank: int) -> int:
 
 
 FLUID_PROGRAMS = {"openfoam": "slidewave_foam", "uniform_flow": "slidewave_uniform"}
-DEM_PROGRAMS = {"liggghts": "slidewave_dem", "lammps": "slidewave_lammps"}
-# Engines that a machine may lack: the Debian package that brings them.
-OPTIONAL_PACKAGES = {"slidewave_lammps": "liblammps-dev"}
+DEM_PROGRAMS = {"liggghts": "slidewave_dem", "lammps": "slidewave_lammps", "esys": "slidewave_esys"}
+# Engines that a machine may lack: the Debian packages that bring them.
+OPTIONAL_PACKAGES = {"slidewave_lammps": "liblammps-dev",
+                     "slidewave_esys": "esys-particle libboost-dev libpython3-dev"}
+FIXED_DEM_RANKS = {"esys": 2}  # a master and one worker
 
 
 def sides(directory: Path, fluid: int, dem: int, fluid_engine: str,

@@ -67,7 +67,7 @@ KEYS: dict[str, Key] = {
     "uniform_flow.gradient_v": Key("vector", "gradient of the y velocity; default 0", "1/s"),
     "uniform_flow.gradient_w": Key("vector", "gradient of the z velocity; default 0", "1/s"),
     "dem.engine": Key("text", "particle side; none: fluid alone, no particle program is started; "
-                      "lammps: optional, needs liblammps-dev", choices=("liggghts", "none", "lammps")),
+                      "lammps, esys (ESyS-Particle): optional", choices=("liggghts", "none", "lammps", "esys")),
     "dem.energy_audit": Key("flag", "energy columns of runs with model linear; default true"),
     "dem.script": Key("text", "script that sets the particles up, in the language of dem.engine"),
     "check.speed": Key("number", "fastest particle or fluid expected, for the pre-flight check", "m/s",

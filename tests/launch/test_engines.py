@@ -10,6 +10,7 @@ from launch import dem_script
 from tests.launch.scratch import ScratchCase
 
 LAMMPS = ("--variant", "uniform", "--set", "dem.engine=lammps", "--set", "dem.script=dem/in.lammps")
+ESYS = ("--variant", "uniform", "--set", "dem.engine=esys", "--set", "dem.script=dem/sphere.py")
 
 
 class Engines(ScratchCase):
@@ -22,11 +23,12 @@ class Engines(ScratchCase):
 
     def test_missing_engine_names_its_package(self) -> None:
         for command in (("run", "--out", self.place / "run"), ("check",), ("submit", "--out", self.place / "run")):
-            status, _, err = self.slidewave(command[0], self.case, *command[1:], *LAMMPS)
-            self.assertEqual(status, 2, err)
-            for word in ("case.toml", "dem.engine", "'lammps'", "slidewave_lammps", "apt-get install liblammps-dev",
-                         "./slidewave setup"):
-                self.assertIn(word, err)
+            for engine, words in (("lammps", LAMMPS), ("esys", ESYS)):
+                status, _, err = self.slidewave(command[0], self.case, *command[1:], *words)
+                self.assertEqual(status, 2, err)
+                for word in ("case.toml", "dem.engine", f"'{engine}'", f"slidewave_{engine}", "apt-get install",
+                             "liblammps-dev" if engine == "lammps" else "esys-particle", "./slidewave setup"):
+                    self.assertIn(word, err)
         self.assertFalse((self.place / "run").exists())
 
     def test_engine_chooses_the_program(self) -> None:
@@ -37,6 +39,16 @@ class Engines(ScratchCase):
         status, out, err = self.slidewave("submit", self.case, "--dry-run", "--out", self.place / "job", *LAMMPS)
         self.assertEqual(status, 0, err)
         self.assertIn('-np 1 "$BIN/slidewave_lammps" "$RUN"', (self.place / "job/job.slurm").read_text())
+
+    def test_esys_has_a_master_and_one_worker(self) -> None:
+        (self.place / "bin/slidewave_esys").touch()
+        status, out, err = self.dry_run(*ESYS)
+        self.assertEqual(status, 0, err)
+        self.assertRegex(out, r"-np 1 \S*slidewave_uniform \S+ : -np 2 \S*slidewave_esys \S+")
+        status, _, err = self.dry_run(*ESYS, "--ranks-dem", "3", "--overwrite")
+        self.assertEqual(status, 2)
+        for word in ("--ranks-dem", "3", "2"):
+            self.assertIn(word, err)
 
     def test_both_scripts_are_read_alike(self) -> None:
         ours, theirs = (dem_script.read(self.case / "dem" / name) for name in ("in.setup", "in.lammps"))
