@@ -23,7 +23,7 @@ def own_sources() -> list[str]:
     if listed.returncode == 0:
         names = [n for n in listed.stdout.split("\0") if n]
     else:  # an unpacked archive
-        names = [str(p.relative_to(places.ROOT)) for top in ("coupler", "foam_side", "dem_side", "tests")
+        names = [str(p.relative_to(places.ROOT)) for top in ("coupler", "foam_side", "dem_side", "dem_lammps", "dem_esys", "tests")
                  for pattern in SOURCES for p in (places.ROOT / top).rglob(pattern)]
     return [n for n in names if not n.startswith("cases/") and (places.ROOT / n).is_file()]
 
@@ -59,7 +59,7 @@ def under_sanitizers() -> None:
         _quietly(["cmake", "-S", str(places.ROOT), "-B", str(build), "-G", "Ninja",
                   "-DCMAKE_BUILD_TYPE=Debug", "-DSLIDEWAVE_SANITIZE=ON",
                   "-DSLIDEWAVE_WITH_OPENFOAM=OFF", "-DSLIDEWAVE_WITH_LIGGGHTS=OFF",
-                  "-DSLIDEWAVE_WITH_LAMMPS=OFF"], "sanitizers: cmake")
+                  "-DSLIDEWAVE_WITH_LAMMPS=OFF", "-DSLIDEWAVE_WITH_ESYS=OFF"], "sanitizers: cmake")
     _quietly(["ninja", "-C", str(build)], "sanitizers: build")
     _quietly(["ctest", "--test-dir", str(build), "-L", "coupler", "-j2", "--output-on-failure"],
              "sanitizers: tests")
