@@ -46,9 +46,11 @@ KEYS: dict[str, Key] = {
                             "over the cells around, without jumps; centroid, to its cell (cheaper); "
                             "default spline where D_max exceeds a quarter of the cell",
                             choices=("spline", "centroid")),
-    "models.drag": Key("text", "voidage function of the drag law", choices=("di_felice", "none")),
+    "models.drag": Key("text", "drag law; the first two and single_sphere take a coefficient of one sphere",
+                       choices=("di_felice", "rong", "ergun", "wen_yu", "gidaspow", "koch_hill", "beetstra",
+                                "single_sphere", "none")),
     "models.drag_coefficient": Key("text", "drag coefficient of one sphere",
-                                   choices=("brown_lawler",)),
+                                   choices=("brown_lawler", "dalla_valle", "schiller_naumann", "stokes")),
     "models.formulation": Key("text", "A: particles share the pressure gradient", choices=("A",)),
     "models.pressure_gradient": Key("flag", "pressure-gradient force (buoyancy) on the particles"),
     "models.contact_scaling": Key("text", "how contact constants follow coarse_grain; none: as given; "

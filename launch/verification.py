@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import json
 import os
+import sys
 from pathlib import Path
 
 VARIABLE = "SLIDEWAVE_VERIFICATION"
@@ -32,3 +33,19 @@ def collect(place: Path, file: Path) -> list[dict]:
     rows.sort(key=lambda r: (r["case"], r["quantity"]))
     file.write_text(json.dumps(rows, indent=1) + "\n")
     return rows
+
+
+def table(rows: list[dict]) -> str:
+    """docs/results/verification.md: rows as a Markdown table."""
+    lines = ["# Verification results", "",
+             "Made from build/verification.json (`./slidewave test --full`) by `python3 -m launch.verification FILE`.", "",
+             "| case | quantity | value | reference | error | tolerance | wall s | pass |",
+             "|---|---|---|---|---|---|---|---|"]
+    for r in rows:
+        lines.append(f"| {r['case']} | {r['quantity']} | {r['value']:.6g} | {r['reference']:.6g} | {r['error']:.2g} "
+                     f"| {r['tolerance']:g} | {r['wall_s']:.1f} | {'yes' if r['pass'] else 'NO'} |")
+    return "\n".join(lines) + "\n"
+
+
+if __name__ == "__main__":
+    print(table(json.loads(Path(sys.argv[1]).read_text())), end="")

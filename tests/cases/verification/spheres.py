@@ -17,12 +17,18 @@ def brown_lawler_cd_re(re: float) -> float:
     return 24 * (1 + 0.15 * re**0.681) + 0.407 * re / (1 + 8710 / re)
 
 
-def di_felice(eps: float, slip: float, diameter: float, density: float, viscosity: float) -> float:
+def dalla_valle_cd_re(re: float) -> float:
+    """Cd Re of one sphere, Dalla Valle (1948), the coefficient that Di Felice used."""
+    return (0.63 * math.sqrt(re) + 4.8) ** 2
+
+
+def di_felice(eps: float, slip: float, diameter: float, density: float, viscosity: float,
+              cd_re=brown_lawler_cd_re) -> float:
     """K [kg/s] in formulation A, Di Felice (1994): drag over interstitial slip, with the superficial
     Reynolds number in Cd and exponent."""
     re = max(eps * density * diameter * abs(slip) / viscosity, 1e-12)
     chi = 3.7 - 0.65 * math.exp(-0.5 * (1.5 - math.log10(re)) ** 2)
-    return math.pi / 8 * diameter * viscosity * brown_lawler_cd_re(re) * eps ** (1 - chi)
+    return math.pi / 8 * diameter * viscosity * cd_re(re) * eps ** (1 - chi)
 
 
 def stokes_viscosity(drag: float, eps: float, diameter: float) -> float:
@@ -31,11 +37,11 @@ def stokes_viscosity(drag: float, eps: float, diameter: float) -> float:
 
 
 def darcy_pressure(eps: np.ndarray, flux: float, cell: float, diameter: float, density: float,
-                   viscosity: float) -> float:
+                   viscosity: float, cd_re=brown_lawler_cd_re) -> float:
     """Pressure difference [Pa] over cells of height `cell` for a superficial velocity `flux` through
     resting spheres that fill 1 - eps: -eps dp/dz = n K u, one law a cell."""
     total = 0.0
     for e in np.atleast_1d(eps):
         number = (1 - e) / volume(diameter)
-        total += cell * number * di_felice(e, flux / e, diameter, density, viscosity) * flux / e / e
+        total += cell * number * di_felice(e, flux / e, diameter, density, viscosity, cd_re) * flux / e / e
     return total
