@@ -129,18 +129,26 @@ def read(script: Path, parameters: Path | None = None) -> DemScene:
     return scene
 
 
-def _lines(file: Path, variables: dict[str, str], base: Path):
+def _lines(file: Path, variables: dict[str, str], base: Path, depth: int = 0):
     """The commands of a script as words, variables put in, includes followed."""
-    try:
-        text = file.read_text()
-    except OSError as error:
-        raise InputError(file, "script", None, f"cannot be read: {error.strerror}") from error
+    if depth > 20:
+        raise InputError(file, "include", None, "goes round in a circle; include no file in itself")
+    text = _text(file)
     for line in re.sub(r"&\s*\n", " ", text).splitlines():
         words = substitute(line.split("#")[0], variables).replace('"', " ").split()
         if words and words[0] == "include" and len(words) == 2 and (base / words[1]).is_file():
-            yield from _lines(base / words[1], variables, base)
+            yield from _lines(base / words[1], variables, base, depth + 1)
         elif words:
             yield words
+
+
+def _text(file: Path) -> str:
+    try:
+        return file.read_text()
+    except OSError as error:
+        raise InputError(file, "script", None, f"cannot be read: {error.strerror}") from error
+    except UnicodeDecodeError as error:
+        raise InputError(file, f"byte {error.start}", None, "is no text; restore the file") from error
 
 
 def _set_variable(variables: dict[str, str], rest: list[str]) -> None:
@@ -185,15 +193,25 @@ def _read_data(path: Path, scene: DemScene) -> None:
     """Box and atoms of a data file with atom style granular or sphere: id type diameter density x y z."""
     if not path.is_file():
         raise InputError(path, "read_data", None, "no such file; the script reads it")
-    text = path.read_text()
+    text = _text(path)
     bounds = [re.search(rf"^\s*(\S+)\s+(\S+)\s+{a}lo\s+{a}hi", text, flags=re.M) for a in "xyz"]
     if all(bounds):
-        scene.box = np.array([[float(b.group(k)) for b in bounds] for k in (1, 2)])
+        try:
+            scene.box = np.array([[float(b.group(k)) for b in bounds] for k in (1, 2)])
+        except ValueError as error:
+            raise InputError(path, "xlo xhi", None, f"each line needs two numbers ({error})") from error
     atoms = re.search(r"^\s*Atoms\b[^\n]*\n(.*?)(?=^\s*[A-Z]|\Z)", text, flags=re.M | re.S)
     if not atoms or not atoms.group(1).strip():
         scene.positions = np.empty((0, 3))
         scene.diameters = scene.densities = np.empty(0)
         return
-    columns = len(atoms.group(1).strip().split("\n", 1)[0].split())
-    rows = np.array(atoms.group(1).split(), dtype=float).reshape(-1, columns)
+    try:
+        _take_atoms(atoms.group(1), scene)
+    except (ValueError, IndexError) as error:
+        raise InputError(path, "Atoms", None, f"each line needs id type diameter density x y z ({error})") from error
+
+
+def _take_atoms(text: str, scene: DemScene) -> None:
+    columns = len(text.strip().split("\n", 1)[0].split())
+    rows = np.array(text.split(), dtype=float).reshape(-1, columns)
     scene.diameters, scene.densities, scene.positions = rows[:, 2], rows[:, 3], rows[:, 4:7]

@@ -13,6 +13,17 @@ from launch import cli
 from launch.places import ROOT
 
 
+def command_line(*arguments: str | Path) -> tuple[int, str, str]:
+    """Exit status, standard output and standard error of one command."""
+    out, err = io.StringIO(), io.StringIO()
+    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+        try:
+            status = cli.main([str(a) for a in arguments])
+        except SystemExit as end:  # argparse
+            status = int(end.code or 0)
+    return status, out.getvalue(), err.getvalue()
+
+
 class ScratchCase(unittest.TestCase):
     """self.place: temporary directory; self.case: the copy."""
 
@@ -32,13 +43,7 @@ class ScratchCase(unittest.TestCase):
 
     def slidewave(self, *arguments: str) -> tuple[int, str, str]:
         """Exit status, standard output and standard error of one command."""
-        out, err = io.StringIO(), io.StringIO()
-        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
-            try:
-                status = cli.main([str(a) for a in arguments])
-            except SystemExit as end:  # argparse
-                status = int(end.code or 0)
-        return status, out.getvalue(), err.getvalue()
+        return command_line(*arguments)
 
     def dry_run(self, *more: str) -> tuple[int, str, str]:
         """`run --dry-run` of the copy into self.place/run."""

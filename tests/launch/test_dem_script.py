@@ -64,6 +64,20 @@ class Script(unittest.TestCase):
         with self.assertRaises(InputError):
             self.read("read_data nowhere.data\n")
 
+    def test_broken_files_are_refused_with_their_name(self) -> None:
+        for data, key in ((DATA.replace("0.75 2600", "0.75"), "Atoms"), (DATA.replace("2650", "heavy"), "Atoms"),
+                          (DATA.replace("0 10 xlo", "0 1o xlo"), "xlo"), (b"2 atoms\n\xff\xfe", "byte 8")):
+            (self.place / "atoms.data").write_bytes(data if isinstance(data, bytes) else data.encode())
+            with self.assertRaises(InputError) as caught:
+                self.read("read_data atoms.data\n")
+            self.assertIn("atoms.data", caught.exception.file)
+            self.assertIn(key, caught.exception.key)
+        with self.assertRaisesRegex(InputError, "in.x: include: goes round"):
+            self.read("include in.x\n")
+
+    def test_lammps_stiffness(self) -> None:
+        self.assertEqual(self.read("pair_style gran/hooke/history 1e5 8e4 60 60 0.5 1\n").stiffness_N_m, 1e5)
+
     def test_insertion_leaves_the_number_open(self) -> None:
         scene = self.read("fix ins all insert/pack seed 123457 distributiontemplate d\n")
         self.assertIsNone(scene.positions)
