@@ -10,10 +10,10 @@ import argparse
 import sys
 
 from launch import __version__
-from launch.commands import check, report, run, study, submit, test
+from launch.commands import bench, check, report, run, study, submit, test
 from launch.errors import InputError, RunError
 
-COMMANDS = (run, check, report, study, submit, test)
+COMMANDS = (run, check, report, study, bench, submit, test)
 
 EPILOG = """exit status: 0 done; 1 ran or would run badly; 2 bad input
 

@@ -10,6 +10,8 @@
 
 #include <cmath>
 
+#include "vec4.h"
+
 namespace slidewave::dem {
 
 struct CoulombSlider {
@@ -17,49 +19,37 @@ struct CoulombSlider {
   double mu = 0;
   double zeta = 0;
 
-  /// Gives the force on the first body; `s` (3 numbers) is changed only if `advance`. Returns the
-  /// energy [J] lost in this step, by sliding (mean of the force before and after, times the slip)
-  /// and in the dashpot; 0 unless `advance`.
-  double force(double* s, double const* normal, double const* v_t, double dt_s,
-               double normal_force_N, double m_eff, bool advance, double* out) const {
-    double now[3] = {s[0], s[1], s[2]};
+  /// Gives the force on the first body; `s` is changed only if `advance`. Returns the energy [J]
+  /// lost in this step, by sliding (mean of the force before and after, times the slip) and in the
+  /// dashpot; 0 unless `advance`.
+  SLIDEWAVE_INLINE double force(Vec4& s, Vec4 const& normal, Vec4 const& v_t, double dt_s,
+                                double normal_force_N, double m_eff, bool advance,
+                                Vec4& out) const {
+    Vec4 now = s;
     if (advance) {
-      for (int k = 0; k < 3; ++k) {
-        now[k] += v_t[k] * dt_s;
-      }
-      double const off = now[0] * normal[0] + now[1] * normal[1] + now[2] * normal[2];
-      for (int k = 0; k < 3; ++k) {
-        now[k] -= off * normal[k];
-      }
+      now += v_t * dt_s;
+      now -= dot(now, normal) * normal;
     }
-    double const square = now[0] * now[0] + now[1] * now[1] + now[2] * now[2];
+    double const square = dot(now, now);
     double const limit_N = mu * std::abs(normal_force_N);
     double lost_J = 0;
     if (ks * ks * square > limit_N * limit_N) {
-      double const kept = limit_N / (ks * std::sqrt(square));
-      double along = 0;
-      for (int k = 0; k < 3; ++k) {
-        double const held = now[k] * kept;
-        along += (s[k] + held) * (now[k] - held);
-        now[k] = held;
-        out[k] = -ks * held;
-      }
-      lost_J = 0.5 * ks * along;
+      Vec4 const held = now * (limit_N / (ks * std::sqrt(square)));
+      lost_J = 0.5 * ks * dot(s + held, now - held);
+      now = held;
+      out = -ks * held;
     } else {
-      double const gamma = zeta == 0 ? 0.0 : 2 * zeta * std::sqrt(ks * m_eff);
-      for (int k = 0; k < 3; ++k) {
-        out[k] = -ks * now[k] - gamma * v_t[k];
-      }
+      out = -ks * now;
       if (zeta != 0) {
-        lost_J = gamma * dt_s * (v_t[0] * v_t[0] + v_t[1] * v_t[1] + v_t[2] * v_t[2]);
+        double const gamma = 2 * zeta * std::sqrt(ks * m_eff);
+        out -= gamma * v_t;
+        lost_J = gamma * dt_s * dot(v_t, v_t);
       }
     }
     if (!advance) {
       return 0.0;
     }
-    for (int k = 0; k < 3; ++k) {
-      s[k] = now[k];
-    }
+    s = now;
     return lost_J;
   }
 };

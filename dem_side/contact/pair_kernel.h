@@ -28,54 +28,51 @@ class PairKernel {
  public:
   static constexpr bool rolls = rolling != Rolling::off;
   static constexpr bool twists = rolling == Rolling::jiang_twist;
-  static constexpr std::size_t roll_at = friction ? 3 : 0;
-  static constexpr std::size_t twist_at = roll_at + 3;
-  static constexpr std::size_t numbers = roll_at + (rolls ? 3 : 0) + (twists ? 1 : 0);
+  /// Numbers that a contact must remember: slip (3), rolling (3), twist (1).
+  static constexpr std::size_t numbers = (friction ? 3 : 0) + (rolls ? 3 : 0) + (twists ? 1 : 0);
+  /// Registers of history: slip; rolling with the twist as the fourth number.
+  static constexpr std::size_t roll_at = friction ? 1 : 0;
+  static constexpr std::size_t registers = roll_at + (rolls ? 1 : 0);
 
   /// Forces and moments of all pairs, into the loads. `tally(i, body, force, branch)` is called for
-  /// each contact.
+  /// each contact. Heat of this step is added to `lost` if the history advances.
   template <class Tally>
-  static void run(PairLaw const& law, PairList& pairs, double dt_s, bool advance, Dissipated& lost,
-                  Tally const& tally);
+  static SLIDEWAVE_INLINE void run(PairLaw const& law, PairList& pairs, double dt_s, bool advance,
+                                   Dissipated& lost, Tally const& tally);
 
   /// Energy in the springs at the positions of the last run().
   static Elastic elastic(PairLaw const& law, PairList const& pairs);
 
  private:
-  static RotationSpring rolling_spring(PairLaw const& law, double normal_force_N, double ra,
-                                       double rb) {
+  static SLIDEWAVE_INLINE RotationSpring rolling_spring(PairLaw const& law, double normal_force_N,
+                                                        double ra, double rb) {
     double const reduced_m = reduced_radius(ra, rb, false);
     return rolling == Rolling::iwashita_oda
                ? law.iwashita_oda.rolling(normal_force_N, reduced_m)
                : law.jiang.rolling(law.normal.kn, normal_force_N, reduced_m);
   }
-  static RotationSpring twisting_spring(PairLaw const& law, double normal_force_N, double ra,
-                                        double rb) {
+  static SLIDEWAVE_INLINE RotationSpring twisting_spring(PairLaw const& law, double normal_force_N,
+                                                         double ra, double rb) {
     return law.jiang.twisting(law.slider.ks, law.slider.mu, normal_force_N,
                               reduced_radius(ra, rb, false));
   }
-  static double square(double const* s) { return s[0] * s[0] + s[1] * s[1] + s[2] * s[2]; }
-  static void open(PairLaw const& law, double* history, double share, double ra, double rb,
-                   Dissipated& lost);
+  /// Energy in the springs that keep a history.
+  static Elastic kept(PairLaw const& law, Slot const* history, double ra, double rb) {
+    Elastic sum;
+    if constexpr (friction) {
+      sum.tangential = 0.5 * law.slider.ks * dot(history[0].v, history[0].v);
+    }
+    if constexpr (rolls) {
+      Vec4 const theta = three(history[roll_at].v);
+      sum.rolling = 0.5 * rolling_spring(law, 0, ra, rb).k * dot(theta, theta);
+    }
+    if constexpr (twists) {
+      double const angle = history[roll_at].v[3];
+      sum.rolling += 0.5 * twisting_spring(law, 0, ra, rb).k * angle * angle;
+    }
+    return sum;
+  }
 };
-
-template <bool friction, Rolling rolling, bool damped>
-void PairKernel<friction, rolling, damped>::open(PairLaw const& law, double* history, double share,
-                                                 double ra, double rb, Dissipated& lost) {
-  if constexpr (friction) {
-    lost.friction += share * 0.5 * law.slider.ks * square(history);
-  }
-  if constexpr (rolls) {
-    lost.rolling += share * 0.5 * rolling_spring(law, 0, ra, rb).k * square(history + roll_at);
-  }
-  if constexpr (twists) {
-    lost.rolling +=
-        share * 0.5 * twisting_spring(law, 0, ra, rb).k * history[twist_at] * history[twist_at];
-  }
-  for (std::size_t k = 0; k < numbers; ++k) {
-    history[k] = 0;
-  }
-}
 
 template <bool friction, Rolling rolling, bool damped>
 template <class Tally>
@@ -86,116 +83,96 @@ void PairKernel<friction, rolling, damped>::run(PairLaw const& law, PairList& pa
   Load* const loads = pairs.loads.data();
   Neighbour const* const neighbours = pairs.neighbours.data();
   std::uint8_t* const touching = pairs.touching.data();
-  double* const all_history = pairs.history.data();
-  std::array<double, 3> const* const shifts = pairs.shifts.data();
+  Slot const* const shifts = pairs.shifts.data();
   std::size_t const locals = pairs.locals();
   Dissipated sum;
 
   for (std::size_t i = 0; i < locals; ++i) {
-    Body const& a = bodies[i];
-    Load on_a{};
+    Body const a = bodies[i];
+    Vec4 force_a{};
+    Vec4 torque_a{};
     std::size_t const last = pairs.first[i + 1];
     for (std::size_t pair = pairs.first[i]; pair < last; ++pair) {
       auto const j = static_cast<std::size_t>(neighbours[pair].body);
       Body const& b = bodies[j];
-      double const* const shift = shifts[neighbours[pair].shift].data();
-      double const d[3] = {a.x[0] - (b.x[0] + shift[0]), a.x[1] - (b.x[1] + shift[1]),
-                           a.x[2] - (b.x[2] + shift[2])};
-      double const square_m2 = square(d);
-      double const reach_m = a.radius + b.radius;
-      double* const history = all_history + pair * numbers;
+      Vec4 const d = three(a.x - (b.x + shifts[neighbours[pair].shift].v));
+      double const square_m2 = dot(d, d);
+      double const reach_m = a.radius() + b.radius();
+      Slot* const history = pairs.history.data() + pair * registers;
+      double const share = j < locals ? 1.0 : 0.5;
       if (square_m2 >= reach_m * reach_m) {
         if (touching[pair]) {
           touching[pair] = 0;
-          open(law, history, j < locals ? 1.0 : 0.5, a.radius, b.radius, sum);
+          Elastic const freed = kept(law, history, a.radius(), b.radius());
+          sum.friction += share * freed.tangential;
+          sum.rolling += share * freed.rolling;
+          for (std::size_t k = 0; k < registers; ++k) {
+            history[k].v = Vec4{};
+          }
         }
         continue;
       }
       touching[pair] = 1;
       double const distance_m = std::sqrt(square_m2);
-      double const inverse = 1 / distance_m;
-      double const n[3] = {d[0] * inverse, d[1] * inverse, d[2] * inverse};
+      Vec4 const n = d * (1 / distance_m);
       double const overlap_m = reach_m - distance_m;
-      double const share = j < locals ? 1.0 : 0.5;
 
       double m_eff = 0;
       double parting = 0;
-      double v[3] = {0, 0, 0};
+      Vec4 v{};
       if constexpr (friction || damped) {
-        for (int k = 0; k < 3; ++k) {
-          v[k] = a.v[k] - b.v[k];
-        }
-        parting = v[0] * n[0] + v[1] * n[1] + v[2] * n[2];
+        v = three(a.v - b.v);
+        parting = dot(v, n);
       }
       double normal_N = law.normal.kn * overlap_m;
       if constexpr (damped) {
-        m_eff = 1 / (a.inverse_mass + b.inverse_mass);
+        m_eff = 1 / (a.inverse_mass() + b.inverse_mass());
         double const elastic_N = normal_N;
         normal_N = law.normal.force(overlap_m, parting, m_eff);
-        if (advance) {
-          sum.damping += share * (elastic_N - normal_N) * parting * dt_s;
-        }
+        sum.damping += advance ? share * (elastic_N - normal_N) * parting * dt_s : 0.0;
       }
-      double f[3] = {normal_N * n[0], normal_N * n[1], normal_N * n[2]};
-      double ta[3] = {0, 0, 0};
-      double tb[3] = {0, 0, 0};
+      Vec4 f = normal_N * n;
+      Vec4 ta{};
+      Vec4 tb{};
       if constexpr (friction) {
-        double const arm_a = a.radius - 0.5 * overlap_m;
-        double const arm_b = b.radius - 0.5 * overlap_m;
-        double const w[3] = {arm_a * a.omega[0] + arm_b * b.omega[0],
-                             arm_a * a.omega[1] + arm_b * b.omega[1],
-                             arm_a * a.omega[2] + arm_b * b.omega[2]};
-        double const slip[3] = {v[0] - parting * n[0] - (n[2] * w[1] - n[1] * w[2]),
-                                v[1] - parting * n[1] - (n[0] * w[2] - n[2] * w[0]),
-                                v[2] - parting * n[2] - (n[1] * w[0] - n[0] * w[1])};
-        double t[3];
+        double const arm_a = a.radius() - 0.5 * overlap_m;
+        double const arm_b = b.radius() - 0.5 * overlap_m;
+        Vec4 const slip = v - parting * n + cross(n, arm_a * a.omega + arm_b * b.omega);
+        Vec4 t;
         sum.friction +=
-            share * law.slider.force(history, n, slip, dt_s, normal_N, m_eff, advance, t);
-        double const moment[3] = {n[1] * t[2] - n[2] * t[1], n[2] * t[0] - n[0] * t[2],
-                                  n[0] * t[1] - n[1] * t[0]};
-        for (int k = 0; k < 3; ++k) {
-          f[k] += t[k];
-          ta[k] -= arm_a * moment[k];
-          tb[k] -= arm_b * moment[k];
-        }
+            share * law.slider.force(history[0].v, n, slip, dt_s, normal_N, m_eff, advance, t);
+        Vec4 const moment = cross(n, t);
+        f += t;
+        ta = -arm_a * moment;
+        tb = -arm_b * moment;
       }
       if constexpr (rolls) {
-        double const omega[3] = {a.omega[0] - b.omega[0], a.omega[1] - b.omega[1],
-                                 a.omega[2] - b.omega[2]};
-        double moment[3];
-        double heat = rolling_moment(rolling_spring(law, normal_N, a.radius, b.radius),
-                                     history + roll_at, n, omega, dt_s, advance, moment);
+        Vec4 const omega = a.omega - b.omega;
+        Vec4 theta = three(history[roll_at].v);
+        double twist = history[roll_at].v[3];
+        Vec4 moment;
+        double heat = rolling_moment(rolling_spring(law, normal_N, a.radius(), b.radius()), theta,
+                                     n, omega, dt_s, advance, moment);
         if constexpr (twists) {
-          double const along = twisting_moment(
-              twisting_spring(law, normal_N, a.radius, b.radius), history + twist_at,
-              omega[0] * n[0] + omega[1] * n[1] + omega[2] * n[2], dt_s, advance, heat);
-          for (int k = 0; k < 3; ++k) {
-            moment[k] += along * n[k];
-          }
+          moment += n * twisting_moment(twisting_spring(law, normal_N, a.radius(), b.radius()),
+                                        twist, dot(omega, n), dt_s, advance, heat);
         }
+        theta[3] = twist;
+        history[roll_at].v = theta;
         sum.rolling += share * heat;
-        for (int k = 0; k < 3; ++k) {
-          ta[k] += moment[k];
-          tb[k] -= moment[k];
-        }
+        ta += moment;
+        tb -= moment;
       }
-      Load& on_b = loads[j];
-      for (int k = 0; k < 3; ++k) {
-        on_a.force[k] += f[k];
-        on_b.force[k] -= f[k];
-      }
+      force_a += f;
+      loads[j].force -= f;
       if constexpr (friction || rolls) {
-        for (int k = 0; k < 3; ++k) {
-          on_a.torque[k] += ta[k];
-          on_b.torque[k] += tb[k];
-        }
+        torque_a += ta;
+        loads[j].torque += tb;
       }
       tally(i, neighbours[pair].body, f, d);
     }
-    for (int k = 0; k < 3; ++k) {
-      loads[i].force[k] += on_a.force[k];
-      loads[i].torque[k] += on_a.torque[k];
-    }
+    loads[i].force += force_a;
+    loads[i].torque += torque_a;
   }
   lost.friction += sum.friction;
   lost.damping += sum.damping;
@@ -213,26 +190,15 @@ Elastic PairKernel<friction, rolling, damped>::elastic(PairLaw const& law, PairL
       }
       auto const j = static_cast<std::size_t>(pairs.neighbours[pair].body);
       Body const& b = pairs.bodies[j];
-      auto const& shift = pairs.shifts[static_cast<std::size_t>(pairs.neighbours[pair].shift)];
-      double d[3];
-      for (std::size_t k = 0; k < 3; ++k) {
-        d[k] = a.x[k] - (b.x[k] + shift[k]);
-      }
-      double const half = j < pairs.locals() ? 0.5 : 0.25;
-      double const overlap_m = a.radius + b.radius - std::sqrt(square(d));
-      double const* const history = pairs.history.data() + pair * numbers;
-      sum.normal += half * law.normal.kn * overlap_m * overlap_m;
-      if constexpr (friction) {
-        sum.tangential += half * law.slider.ks * square(history);
-      }
-      if constexpr (rolls) {
-        sum.rolling +=
-            half * rolling_spring(law, 0, a.radius, b.radius).k * square(history + roll_at);
-      }
-      if constexpr (twists) {
-        sum.rolling += half * twisting_spring(law, 0, a.radius, b.radius).k * history[twist_at] *
-                       history[twist_at];
-      }
+      auto const image = static_cast<std::size_t>(pairs.neighbours[pair].shift);
+      Vec4 const d = three(a.x - (b.x + pairs.shifts[image].v));
+      double const share = j < pairs.locals() ? 1.0 : 0.5;
+      double const overlap_m = a.radius() + b.radius() - std::sqrt(dot(d, d));
+      Elastic const springs =
+          kept(law, pairs.history.data() + pair * registers, a.radius(), b.radius());
+      sum.normal += share * 0.5 * law.normal.kn * overlap_m * overlap_m;
+      sum.tangential += share * springs.tangential;
+      sum.rolling += share * springs.rolling;
     }
   }
   return sum;

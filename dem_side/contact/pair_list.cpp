@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "atom.h"
 #include "domain.h"
@@ -17,22 +18,25 @@ std::size_t index(std::int32_t i) {
 
 // Half of the sum of the radii: images of one partner are at least a diameter apart.
 double reach(Body const& a, Body const& b) {
-  return 0.5 * (a.radius + b.radius);
+  return 0.5 * (a.radius() + b.radius());
 }
 
 }  // namespace
 
 std::int32_t PairList::shift_between(LAMMPS_NS::Domain const& domain, double const* image,
                                      double const* owner) {
-  std::array<double, 3> shift{};
-  for (std::size_t k = 0; k < 3; ++k) {
+  Vec4 shift{};
+  for (int k = 0; k < 3; ++k) {
     double const period = domain.prd[k];
     shift[k] = domain.periodicity[k] ? period * std::round((image[k] - owner[k]) / period) : 0.0;
   }
-  auto const known = std::find(shifts.begin(), shifts.end(), shift);
+  auto const known = std::find_if(shifts.begin(), shifts.end(), [&](Slot const& other) {
+    Vec4 const apart = other.v - shift;
+    return dot(apart, apart) == 0;
+  });
   auto const place = known - shifts.begin();
   if (known == shifts.end()) {
-    shifts.push_back(shift);
+    shifts.push_back({shift});
   }
   return static_cast<std::int32_t>(place);
 }
@@ -43,7 +47,7 @@ void PairList::rebuild(LAMMPS_NS::Atom& atom, LAMMPS_NS::Domain const& domain,
   int const all = atom.nlocal + atom.nghost;
   first.assign(locals_ + 1, 0);
   neighbours.clear();
-  shifts.assign(1, {});
+  shifts.assign(1, Slot{Vec4{}});
   atoms_.resize(locals_);
   for (std::size_t i = 0; i < locals_; ++i) {
     atoms_[i] = static_cast<int>(i);
@@ -83,27 +87,24 @@ void PairList::rebuild(LAMMPS_NS::Atom& atom, LAMMPS_NS::Domain const& domain,
   loads.resize(atoms_.size());
   for (std::size_t b = 0; b < atoms_.size(); ++b) {
     int const i = atoms_[b];
-    bodies[b].inverse_mass = atom.mask[i] & frozen ? 0.0 : 1 / atom.rmass[i];
+    bodies[b].v[3] = atom.mask[i] & frozen ? 0.0 : 1 / atom.rmass[i];
   }
   take(atom);
 
   touching.assign(neighbours.size(), 0);
-  history.assign(neighbours.size() * numbers(), 0.0);
+  history.assign(neighbours.size() * registers(), Slot{Vec4{}});
   for (std::size_t i = 0; i < locals_; ++i) {
     if (memory.count(i) == 0) {
       continue;
     }
     for (std::size_t pair = first[i]; pair < first[i + 1]; ++pair) {
       Body const& partner = bodies[index(neighbours[pair].body)];
-      auto const& shift = shifts[index(neighbours[pair].shift)];
-      std::array<double, 3> branch{};
-      for (std::size_t k = 0; k < 3; ++k) {
-        branch[k] = bodies[i].x[k] - (partner.x[k] + shift[k]);
-      }
+      Vec4 const apart = bodies[i].x - (partner.x + shifts[index(neighbours[pair].shift)].v);
       double const* const kept =
-          memory.find(i, tags_[index(neighbours[pair].body)], branch, reach(bodies[i], partner));
+          memory.find(i, tags_[index(neighbours[pair].body)], {apart[0], apart[1], apart[2]},
+                      reach(bodies[i], partner));
       if (kept) {
-        std::copy_n(kept, numbers(), history.begin() + static_cast<long>(pair * numbers()));
+        std::memcpy(&history[pair * registers()], kept, registers() * sizeof(Slot));
         touching[pair] = 1;
       }
     }
@@ -143,13 +144,12 @@ void PairList::collect(LAMMPS_NS::Atom& atom, ContactMemory& memory) const {
     std::size_t const owner = index(now[i]);
     double* const out = memory.writable(owner) + memory.record() * counts[owner]++;
     out[0] = tags_[j];
-    auto const& shift = shifts[index(neighbours[pair].shift)];
-    for (std::size_t k = 0; k < 3; ++k) {
-      out[k + 1] = bodies[i].x[k] - bodies[j].x[k] - side * shift[k];
-    }
-    for (std::size_t k = 0; k < numbers(); ++k) {
-      double const kept = history[pair * numbers() + k];
-      out[ContactMemory::head + k] = side < 0 ? signs_[k] * kept : kept;
+    Vec4 const apart = bodies[i].x - bodies[j].x - side * shifts[index(neighbours[pair].shift)].v;
+    store3(apart, out + 1);
+    for (std::size_t k = 0; k < registers(); ++k) {
+      Vec4 const kept = history[pair * registers() + k].v;
+      Vec4 const turned = side < 0 ? signs_[k].v * kept : kept;
+      std::memcpy(out + ContactMemory::head + 4 * k, &turned, sizeof(Vec4));
     }
   });
 }
@@ -158,19 +158,19 @@ void PairList::take(LAMMPS_NS::Atom const& atom) {
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     int const i = atoms_[b];
     Body& body = bodies[b];
-    for (std::size_t k = 0; k < 3; ++k) {
-      body.x[k] = atom.x[i][k];
-      body.v[k] = atom.v[i][k];
-      body.omega[k] = atom.omega[i][k];
-    }
-    body.radius = atom.radius[i];
-    loads[b] = {};
+    double const* const x = atom.x[i];
+    double const* const v = atom.v[i];
+    double const* const omega = atom.omega[i];
+    body.x = Vec4{x[0], x[1], x[2], atom.radius[i]};
+    body.v = Vec4{v[0], v[1], v[2], body.v[3]};
+    body.omega = load3(omega);
+    loads[b] = Load{Vec4{}, Vec4{}};
   }
 }
 
 void PairList::give(LAMMPS_NS::Atom& atom) const {
   for (std::size_t i = 0; i < locals_; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) {
+    for (int k = 0; k < 3; ++k) {
       atom.f[i][k] += loads[i].force[k];
       atom.torque[i][k] += loads[i].torque[k];
     }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "contact_memory.h"
+#include "vec4.h"
 
 namespace LAMMPS_NS {
 class Atom;
@@ -23,18 +24,21 @@ namespace slidewave::dem {
 
 /// A particle as the contact loop sees it: one cache line and a half. SI units.
 struct alignas(32) Body {
-  double x[3];
-  double radius;
-  double v[3];
-  double inverse_mass;  ///< 0 where it is frozen
-  double omega[3];
-  double unused;
+  Vec4 x;      ///< position; radius
+  Vec4 v;      ///< velocity; 1/mass, 0 where it is frozen
+  Vec4 omega;  ///< spin; 0
+  double radius() const { return x[3]; }
+  double inverse_mass() const { return v[3]; }
 };
 
 struct alignas(64) Load {
-  double force[3];
-  double torque[3];
-  double unused[2];
+  Vec4 force;
+  Vec4 torque;
+};
+
+/// In an array: std::vector does not see the alignment of a bare vector type.
+struct alignas(32) Slot {
+  Vec4 v;
 };
 
 struct Neighbour {
@@ -47,14 +51,14 @@ class PairList {
   std::vector<std::size_t> first;  ///< of each atom of this rank, and the end
   std::vector<Neighbour> neighbours;
   std::vector<std::uint8_t> touching;
-  std::vector<double> history;                ///< `numbers` a pair
-  std::vector<std::array<double, 3>> shifts;  ///< [m]; the first is 0
+  std::vector<Slot> history;  ///< `registers` a pair
+  std::vector<Slot> shifts;   ///< [m]; the first is 0
   std::vector<Body> bodies;
   std::vector<Load> loads;
 
-  /// `signs`: one a number of history, -1 where it turns when the partners change places.
-  void set_history(std::vector<double> const& signs) { signs_ = signs; }
-  std::size_t numbers() const { return signs_.size(); }
+  /// `signs`: one a register of history, -1 where a number turns when the partners change places.
+  void set_history(std::vector<Slot> const& signs) { signs_ = signs; }
+  std::size_t registers() const { return signs_.size(); }
 
   bool valid() const { return valid_; }
   void invalidate() { valid_ = false; }
@@ -79,7 +83,7 @@ class PairList {
 
   bool valid_ = false;
   std::size_t locals_ = 0;
-  std::vector<double> signs_;
+  std::vector<Slot> signs_;
   std::vector<int> atoms_;  // of each body
   std::vector<int> tags_;   // when the list was built
 };

@@ -101,7 +101,7 @@ void OwnPairs::check_scene() const {
 // An own contact with a partner of another rank is computed on both: newton must be off.
 void OwnPairs::keep_history() {
   if (!fix_) {
-    std::string numbers = std::to_string(pairs_.numbers());
+    std::string numbers = std::to_string(4 * pairs_.registers());
     char group[] = "all";
     char style[] = "slidewave/contacts";
     char* arguments[] = {fix_id, group, style, numbers.data()};
@@ -109,33 +109,71 @@ void OwnPairs::keep_history() {
     fix_ = static_cast<LAMMPS_NS::FixContactMemory*>(lmp_.modify->find_fix_id(fix_id));
     if (lmp_.comm->me == 0 && lmp_.screen) {
       std::fprintf(lmp_.screen, "contact kernel: %s, %zu numbers of history a contact\n",
-                   name_.c_str(), pairs_.numbers());
+                   name_.c_str(), numbers_);
     }
   }
   fix_->attach(&pairs_);
 }
 
+// The loop with the machine's widest registers: compiled twice, the same results.
+template <class Kernel>
+struct Loop {
+  template <class Tally>
+  static void plain(PairLaw const& law, PairList& pairs, double dt_s, bool advance,
+                    Dissipated& lost, Tally const& tally) {
+    Kernel::run(law, pairs, dt_s, advance, lost, tally);
+  }
+#if defined(__x86_64__)
+  template <class Tally>
+  __attribute__((target("avx2"))) static void wide(PairLaw const& law, PairList& pairs, double dt_s,
+                                                   bool advance, Dissipated& lost,
+                                                   Tally const& tally) {
+    Kernel::run(law, pairs, dt_s, advance, lost, tally);
+  }
+#endif
+  template <class Tally>
+  static void run(PairLaw const& law, PairList& pairs, double dt_s, bool advance, Dissipated& lost,
+                  Tally const& tally) {
+#if defined(__x86_64__)
+    static bool const has_avx2 = __builtin_cpu_supports("avx2");
+    if (has_avx2) {
+      wide(law, pairs, dt_s, advance, lost, tally);
+      return;
+    }
+#endif
+    plain(law, pairs, dt_s, advance, lost, tally);
+  }
+};
+
+// What a contact adds to LIGGGHTS' pressure.
+struct Tally {
+  LAMMPS_NS::PairGran& pair;
+  PairList const& pairs;
+  int locals;
+  void operator()(std::size_t i, std::int32_t body, Vec4 const& f, Vec4 const& d) const {
+    pair.ev_tally_xyz(static_cast<int>(i), pairs.atom_of(body), locals, 0, 0.0, 0.0, f[0], f[1],
+                      f[2], d[0], d[1], d[2]);
+  }
+};
+
+struct NoTally {
+  SLIDEWAVE_INLINE void operator()(std::size_t, std::int32_t, Vec4 const&, Vec4 const&) const {}
+};
+
 template <bool friction, Rolling rolling, bool damped>
 void OwnPairs::use_kernel() {
   using Kernel = PairKernel<friction, rolling, damped>;
-  std::vector<double> signs(Kernel::numbers, -1.0);
-  if (Kernel::twists) {
-    signs.back() = 1;  // angle and normal both turn when the partners change places
-  }
-  pairs_.set_history(signs);
+  // The angle of twist and the normal both turn when the partners change places.
+  pairs_.set_history(std::vector<Slot>(Kernel::registers, Slot{Vec4{-1, -1, -1, 1}}));
+  numbers_ = Kernel::numbers;
   elastic_ = &Kernel::elastic;
   run_ = [](OwnPairs& self, LAMMPS_NS::PairGran& pair, double dt_s, bool advance) {
-    if (!pair.evflag) {
-      Kernel::run(self.law_, self.pairs_, dt_s, advance, self.lost_,
-                  [](std::size_t, std::int32_t, double const*, double const*) {});
-      return;
+    if (pair.evflag) {
+      Tally const tally{pair, self.pairs_, self.lmp_.atom->nlocal};
+      Loop<Kernel>::plain(self.law_, self.pairs_, dt_s, advance, self.lost_, tally);
+    } else {
+      Loop<Kernel>::run(self.law_, self.pairs_, dt_s, advance, self.lost_, NoTally{});
     }
-    int const local = self.lmp_.atom->nlocal;
-    Kernel::run(self.law_, self.pairs_, dt_s, advance, self.lost_,
-                [&](std::size_t i, std::int32_t body, double const* f, double const* d) {
-                  pair.ev_tally_xyz(static_cast<int>(i), self.pairs_.atom_of(body), local, 0, 0.0,
-                                    0.0, f[0], f[1], f[2], d[0], d[1], d[2]);
-                });
   };
 }
 

@@ -42,7 +42,7 @@ class OwnPairs {
   /// Features of the kernel, e.g. "linear + coulomb".
   std::string name() const { return name_; }
   /// Numbers of history that each contact keeps.
-  std::size_t numbers() const { return pairs_.numbers(); }
+  std::size_t numbers() const { return numbers_; }
   PairLaw const& law() const { return law_; }
   /// Of this rank, at the last force evaluation.
   Elastic elastic() const { return elastic_(law_, pairs_); }
@@ -74,6 +74,7 @@ class OwnPairs {
   PairList pairs_;
   Dissipated lost_;
   std::string name_;
+  std::size_t numbers_ = 0;
   Run run_ = nullptr;
   Sum elastic_ = nullptr;
   LAMMPS_NS::FixContactMemory* fix_ = nullptr;

@@ -33,20 +33,17 @@ class RollingHistory {
            RotationSpring const& rolling, RotationSpring const& twisting,
            LIGGGHTS::ContactModels::ForceData& on_i) const {
     bool const advance = contact.computeflag && contact.shearupdate;
-    double* const theta = contact.contact_history + rolling_;
+    double* const kept = contact.contact_history + rolling_;
     double const before_J = stored(contact, rolling, twisting);
-    double moment[3];
-    double lost_J =
-        rolling_moment(rolling, theta, contact.en, contact.omega_i, dt_s, advance, moment);
+    Vec4 const n = load3(contact.en);
+    Vec4 const omega = load3(contact.omega_i);
+    Vec4 theta = load3(kept);
+    Vec4 moment;
+    double lost_J = rolling_moment(rolling, theta, n, omega, dt_s, advance, moment);
+    store3(theta, kept);
     if (twist_ >= 0) {
-      double const* const n = contact.en;
-      double const* const omega = contact.omega_i;
-      double const omega_n = omega[0] * n[0] + omega[1] * n[1] + omega[2] * n[2];
-      double const along = twisting_moment(twisting, contact.contact_history + twist_, omega_n,
-                                           dt_s, advance, lost_J);
-      for (int k = 0; k < 3; ++k) {
-        moment[k] += along * n[k];
-      }
+      moment += n * twisting_moment(twisting, contact.contact_history[twist_], dot(omega, n), dt_s,
+                                    advance, lost_J);
     }
     for (int k = 0; k < 3; ++k) {
       on_i.delta_torque[k] += moment[k];

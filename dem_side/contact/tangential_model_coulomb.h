@@ -36,15 +36,15 @@ class TangentialModel<slidewave::dem::coulomb_id> : public TangentialModelBase {
       return;
     }
     bool const advance = contact.computeflag && contact.shearupdate;
-    double const slip_speed[3] = {contact.vtr1, contact.vtr2, contact.vtr3};
-    double* const s = contact.contact_history + history_;
-    double const before[3] = {s[0], s[1], s[2]};
-    double f[3];
+    Vec4 const slip_speed{contact.vtr1, contact.vtr2, contact.vtr3, 0};
+    Vec4 const n = slidewave::dem::load3(contact.en);
+    Vec4 const before = slidewave::dem::load3(contact.contact_history + history_);
+    Vec4 s = before;
+    Vec4 f;
     double const lost_J =
-        law_.force(s, contact.en, slip_speed, update->dt, contact.Fn, contact.meff, advance, f);
-    double const* const n = contact.en;
-    double const moment[3] = {n[1] * f[2] - n[2] * f[1], n[2] * f[0] - n[0] * f[2],
-                              n[0] * f[1] - n[1] * f[0]};
+        law_.force(s, n, slip_speed, update->dt, contact.Fn, contact.meff, advance, f);
+    slidewave::dem::store3(s, contact.contact_history + history_);
+    Vec4 const moment = slidewave::dem::cross(n, f);
     for (int k = 0; k < 3; ++k) {
       on_i.delta_F[k] += f[k];
       on_i.delta_torque[k] = -contact.cri * moment[k];
@@ -62,15 +62,18 @@ class TangentialModel<slidewave::dem::coulomb_id> : public TangentialModelBase {
   void endPass(SurfacesIntersectData&, ForceData&, ForceData&) override {}
 
  private:
+  using Vec4 = slidewave::dem::Vec4;
+
   // LIGGGHTS may drop the spring of a contact that opens: what the springs lack of the work done on
   // them is heat.
-  void book(SurfacesIntersectData const& contact, double const* before, double const* after,
-            double const* f, double lost_J) const {
+  void book(SurfacesIntersectData const& contact, Vec4 const& before, Vec4 const& after,
+            Vec4 const& f, double lost_J) const {
     slidewave::dem::WallBooks& books = slidewave::dem::wall_books();
-    auto const square = [](double const* s) { return s[0] * s[0] + s[1] * s[1] + s[2] * s[2]; };
-    books.now.tangential += 0.5 * law_.ks * square(after);
+    double const kept_J = 0.5 * law_.ks * slidewave::dem::dot(after, after);
+    books.now.tangential += kept_J;
     if (contact.shearupdate) {
-      books.stored.tangential += 0.5 * law_.ks * (square(after) - square(before)) + lost_J;
+      books.stored.tangential +=
+          kept_J - 0.5 * law_.ks * slidewave::dem::dot(before, before) + lost_J;
       for (int k = 0; k < 3; ++k) {
         books.work += f[k] * contact.v_j[k] * update->dt;
       }

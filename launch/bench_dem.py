@@ -1,0 +1,107 @@
+"""bench dem: the packaged linear contact law and ours (model linear), same constants, same steps.
+
+Times are processor time of slidewave_dem, the set-up (a run of 0 steps) taken off. The settled bed is
+kept in .cache. SI units."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import shutil
+import statistics
+import subprocess
+import tempfile
+from pathlib import Path
+
+import numpy as np
+
+from launch import bench_scenes as scenes
+from launch import case as cases
+from launch import places, prepare
+from launch.errors import RunError
+from launch.progress import say
+
+LAWS = ("packaged", "own")
+BED_STEPS, SLIDE_STEPS, COMPARED_STEPS = 400, 2500, 1000
+
+
+def measure(options: argparse.Namespace) -> dict[str, object]:
+    """All numbers of DESIGN.md 9, and the speeds behind them [particle-steps/s]."""
+    count = options.size or 25000
+    with tempfile.TemporaryDirectory(prefix="slidewave-bench-") as name:
+        place = Path(name)
+        shutil.copyfile(settled_bed(count), place / "bed.data")
+        scenes.write_bed(place, count)
+        numbers: dict[str, object] = {"spheres": count}
+        numbers["max_position_difference"] = _difference(place)
+        numbers |= _speeds(place, "bed", count, BED_STEPS, options.repeats)
+        particles = _prepare_slide(place)
+        numbers |= _speeds(place, "slide", particles, SLIDE_STEPS, options.repeats)
+    return numbers
+
+
+def settled_bed(count: int) -> Path:
+    """A data file with `count` spheres of 1.8 to 3.8 m at rest in a box; made once."""
+    kept = places.ROOT / ".cache" / f"bench-bed-{count}.data"
+    if kept.is_file():
+        return kept
+    say(f"settling {count} spheres (a minute or two, once)")
+    with tempfile.TemporaryDirectory(prefix="slidewave-bed-") as name:
+        place = Path(name)
+        scenes.write_loose(place, count)
+        _run(place, "settle.in", {})
+        rows = scenes.last_snapshot(place / "settled.dump")
+        kept.parent.mkdir(exist_ok=True)
+        partial = kept.with_suffix(f".{os.getpid()}")
+        scenes.write_data(partial, rows[:, 1:4], 2 * rows[:, 4], scenes.bed_width(count))
+        partial.rename(kept)
+    return kept
+
+
+def _difference(place: Path, steps: int = COMPARED_STEPS) -> float:
+    """Largest distance between a sphere's places under the two laws, in its diameters."""
+    end = {}
+    for law in LAWS:
+        _run(place, "bed.in", {"law": law, "steps": steps, "dumping": 1})
+        end[law] = scenes.last_snapshot(place / f"{law}.dump")
+    away = np.linalg.norm(end["own"][:, 1:4] - end["packaged"][:, 1:4], axis=1)
+    return float((away / (2 * end["own"][:, 4])).max())
+
+
+def _speeds(place: Path, scene: str, particles: int, steps: int, repeats: int) -> dict[str, float]:
+    setup = {law: _run(place, f"{scene}.in", {"law": law, "steps": 0}) for law in LAWS}
+    speeds: dict[str, list[float]] = {law: [] for law in LAWS}
+    for number in range(repeats):
+        for law in LAWS:
+            spent = _run(place, f"{scene}.in", {"law": law, "steps": steps}) - setup[law]
+            speeds[law].append(particles * steps / max(spent, 1e-9))
+        say(f"{scene}, pair {number + 1}: packaged {speeds['packaged'][-1] / 1e6:.2f}, "
+            f"own {speeds['own'][-1] / 1e6:.2f} million particle-steps/s")
+    ratios = [own / packaged for own, packaged in zip(speeds["own"], speeds["packaged"])]
+    return {f"ratio_{scene}": statistics.median(ratios),
+            f"{scene}_packaged_per_s": statistics.median(speeds["packaged"]),
+            f"{scene}_own_per_s": statistics.median(speeds["own"])}
+
+
+def _prepare_slide(place: Path) -> int:
+    """The quick slide of vajont_east without water, at the moment of release; number of particles."""
+    case = cases.load("vajont_east", "dry", [])
+    prepare.check_input(case)
+    ready = prepare.prepare(case, place / "slide", 1, 1)
+    for name in ("slide.data", "wall.stl"):
+        shutil.copyfile(place / "slide" / "dem" / name, place / name)
+    scenes.write_slide(place, case.parameters)
+    return ready.facts.particles
+
+
+def _run(place: Path, script: str, variables: dict[str, object]) -> float:
+    """Runs a script on one rank; processor seconds."""
+    command = [str(places.program("slidewave_dem")), "--script", script, "-log", "none"]
+    for name, value in variables.items():
+        command += ["-var", name, str(value)]
+    before = os.times()
+    done = subprocess.run(command, cwd=place, capture_output=True, text=True, check=False, timeout=1800)
+    after = os.times()
+    if done.returncode:
+        raise RunError(f"{script} failed:\n{done.stdout[-1500:]}{done.stderr[-500:]}")
+    return after.children_user + after.children_system - before.children_user - before.children_system
