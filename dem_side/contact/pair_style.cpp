@@ -86,6 +86,9 @@ void OwnPairs::check_scene() const {
     largest_m = std::max(largest_m, 2 * lmp_.atom->radius[i]);
   }
   MPI_Allreduce(MPI_IN_PLACE, &largest_m, 1, MPI_DOUBLE, MPI_MAX, lmp_.world);
+  if (largest_m == 0) {
+    lmp_.atom->sortfreq = 0;  // LIGGGHTS cannot sort nothing
+  }
   for (int axis = 0; axis < 3; ++axis) {
     double const width_m = lmp_.domain->prd[axis];
     if (lmp_.domain->periodicity[axis] && width_m <= largest_m) {
