@@ -11,7 +11,6 @@
 #include "input.h"
 #include "lammps.h"
 #include "modify.h"
-#include "neighbor.h"
 #include "pair_style.h"
 #include "stock_facts.h"
 
@@ -100,7 +99,7 @@ void EnergyAudit::close(Books const& books) {
 }
 
 std::vector<Quantity> EnergyAudit::observe() {
-  bool const known = lmp_.neighbor->lastcall >= 0;  // forces have been worked out
+  bool const known = OwnPairs::current()->ready();
   Books books;
   if (known) {
     books = add_up();

@@ -44,6 +44,8 @@ class OwnPairs {
   /// Numbers of history that each contact keeps.
   std::size_t numbers() const { return numbers_; }
   PairLaw const& law() const { return law_; }
+  /// Contacts are known: forces have been worked out once.
+  bool ready() const { return pairs_.valid(); }
   /// Of this rank, at the last force evaluation.
   Elastic elastic() const { return elastic_(law_, pairs_); }
   Dissipated const& dissipated() const { return lost_; }

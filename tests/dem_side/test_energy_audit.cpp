@@ -52,6 +52,9 @@ TEST(EnergyAudit, ColumnsAreEmptyBeforeTheStart) {
   Audited scene("model linear kn 1e6");
   scene.sphere(5, 5, 1, 0.2);
   ASSERT_EQ(EnergyAudit::obstacle(scene.lmp()), "");
+  scene.look();
+  EXPECT_FALSE(std::isfinite(scene.value["energy_drift"]));
+  EXPECT_FALSE(scene.audit.started());
   scene.start(1e-4);
   EXPECT_TRUE(std::isfinite(scene.value["energy_drift"]));
   EXPECT_EQ(scene.value.count("heat_rolling_J"), 0u) << "no rolling resistance, no column";

@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -135,6 +136,30 @@ class DryRun(Folder):
                                    "particles_15.vtk", "particles_5.vtk"])
         self.assertIn("Loop time", (self.dir / "log.dem").read_text())
         self.assertTrue((self.dir / "summary.json").exists())
+
+
+OWN_LAW = SETUP.replace("pair_style gran model hooke/stiffness tangential history",
+                        "pair_style gran model linear tangential coulomb kn 1e7 ks 8e6 mu ${friction}")
+
+
+class OwnLaw(Folder):
+    def test_energy_is_audited_and_the_kernel_named(self):
+        for wanted in (True, False):
+            case = CASE if wanted else CASE.replace("[dem]", "[dem]\nenergy_audit = false")
+            self.write(case, re.sub("(fix (?:floor|left|right) all wall/gran) .* primitive (.*)",
+                                    r"\1 model linear primitive \2 kn 1e7", OWN_LAW))
+            done = mpirun(1, PROGRAM, self.dir)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            rows = (self.dir / "history.csv").read_text().splitlines()
+            header = rows[0].split(",")
+            self.assertEqual("energy_drift" in header, wanted)
+            active = json.loads((self.dir / "summary.json").read_text())["active"]
+            self.assertIn("linear + coulomb, 3 numbers of history a contact", json.dumps(active))
+            if wanted:
+                last = dict(zip(header, rows[-1].split(",")))
+                self.assertLess(abs(float(last["energy_drift"])), 0.01)
+                self.assertGreater(float(last["heat_friction_J"]), 1)
+                self.assertNotIn("work_fluid_J", header)
 
 
 class PlainScript(Folder):
