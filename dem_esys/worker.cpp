@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
+#include <thread>
 #include <unordered_map>
 #include <vector>
 
@@ -116,6 +118,8 @@ Worker::~Worker() {
 void Worker::obey() {
   swapcontext(&state_->coupler, &state_->commands);
   if (state_->finished) {
+    // The master may know better why: let it speak first.
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
     state_->session.fail(
         "ESyS-Particle's worker left before the run was over (exit in the script?)");
   }
