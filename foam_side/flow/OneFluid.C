@@ -22,7 +22,9 @@ IOdictionary transportProperties(fvMesh const& mesh) {
 OneFluid::OneFluid(fvMesh& mesh, Time& time)
     : PorousFlow(mesh, time, "p"),
       nu_("nu", dimViscosity, transportProperties(mesh)),
-      rho_("rho", dimDensity, transportProperties(mesh).lookupOrDefault<scalar>("rho", 1000)) {
+      rho_("rho", dimDensity, transportProperties(mesh).lookupOrDefault<scalar>("rho", 1000)),
+      balance_(IOobject("balance", time.timeName(), mesh), mesh,
+               dimensionedVector("balance", dimAcceleration, Zero)) {
   if (transportProperties(mesh).lookupOrDefault<word>("transportModel", "Newtonian") !=
       "Newtonian") {
     FatalErrorInFunction << "transportProperties: only transportModel Newtonian"
@@ -46,7 +48,14 @@ tmp<fvVectorMatrix> OneFluid::momentum() {
   fvVectorMatrix& UEqn = tUEqn.ref();
   addDrag(UEqn, 1 / rho_);
   UEqn.relax();
-  if (pimple_.momentumPredictor()) solve(UEqn == -eps_ * fvc::grad(p_));
+  if (pimple_.momentumPredictor()) {
+    if (dragOnFaces()) {
+      solve(UEqn ==
+            eps_ * fvc::reconstruct((dragForce(1 / rho_) - fvc::snGrad(p_)) * mesh_.magSf()));
+    } else {
+      solve(UEqn == -eps_ * fvc::grad(p_));
+    }
+  }
   return tUEqn;
 }
 
@@ -57,20 +66,35 @@ void OneFluid::correctPressure(fvVectorMatrix& UEqn, surfaceScalarField const& i
   surfaceScalarField F("phiHbyA",
                        fvc::flux(eps_ * HbyA) + epsf_ * fvc::interpolate(eps_ * rAU) * inertia);
   if (p_.needReference()) adjustPhi(F, U_, p_);
+  tmp<surfaceScalarField> push;
+  if (dragOnFaces()) {
+    push = dragForce(1 / rho_) * rAUf * mesh_.magSf();
+    F += push();
+  }
   constrainPressure(p_, eps_, U_, F, rAUf);
 
   while (pimple_.correctNonOrthogonal()) {
     fvScalarMatrix pEqn(fvm::laplacian(rAUf, p_) == fvc::div(F) + rate_);
     pEqn.setReference(pRefCell_, pRefValue_);
     pEqn.solve(mesh_.solver(p_.select(pimple_.finalInnerIter())));
-    if (pimple_.finalNonOrthogonalIter()) setFlux(F - pEqn.flux());
+    if (pimple_.finalNonOrthogonalIter()) {
+      setFlux(F - pEqn.flux());
+      if (dragOnFaces()) balance_ = fvc::reconstruct((push() - pEqn.flux()) / rAUf);
+    }
   }
   p_.relax();
-  U_ = HbyA - rAU * eps_ * fvc::grad(p_);
+  if (dragOnFaces()) {
+    U_ = HbyA + rAU * eps_ * balance_;
+  } else {
+    U_ = HbyA - rAU * eps_ * fvc::grad(p_);
+  }
   U_.correctBoundaryConditions();
 }
 
 tmp<vectorField> OneFluid::pressureGradient() const {
+  if (dragOnFaces()) {
+    return dragPush() + rho_.value() * (g_.value() - balance_.primitiveField());
+  }
   return rho_.value() * (fvc::grad(p_)().primitiveField() + g_.value());
 }
 

@@ -185,7 +185,26 @@ void PorousFlow::setFlux(tmp<surfaceScalarField> const& F) {
 void PorousFlow::addDrag(fvVectorMatrix& UEqn, dimensionedScalar const& scale) const {
   if (!drag_) return;
   UEqn += fvm::Sp(scale * drag_->coefficient, U_);
-  UEqn -= scale * (drag_->velocitySource + drag_->force);
+  if (!dragOnFaces()) UEqn -= scale * (drag_->velocitySource + drag_->force);
+}
+
+tmp<vectorField> PorousFlow::dragPush() const {
+  return (drag_->velocitySource.field() + drag_->force.field()) / eps_.primitiveField();
+}
+
+tmp<surfaceScalarField> PorousFlow::dragForce(dimensionedScalar const& scale) const {
+  volVectorField push(stored("dragPush", mesh_, IOobject::NO_READ, IOobject::NO_WRITE), mesh_,
+                      dimensionedVector(scale.dimensions() * dimForce / dimVolume, Zero),
+                      zeroGradientFvPatchVectorField::typeName);
+  push.primitiveFieldRef() = scale.value() * dragPush();
+  push.correctBoundaryConditions();
+  tmp<surfaceScalarField> force = (fvc::interpolate(push) & mesh_.Sf()) / mesh_.magSf();
+  forAll(p_.boundaryField(), patch) {
+    if (!p_.boundaryField()[patch].coupled() && !p_.boundaryField()[patch].fixesValue()) {
+      force.ref().boundaryFieldRef()[patch] = 0;
+    }
+  }
+  return force;
 }
 
 void PorousFlow::account() {

@@ -68,7 +68,9 @@ tmp<fvVectorMatrix> TwoFluids::momentum(surfaceScalarField const& force) {
 
 // Face-normal forces [N/m3] other than the pressure that is solved for.
 tmp<surfaceScalarField> TwoFluids::bodyForce() const {
-  return mixture_.surfaceTensionForce() - ghf_ * fvc::snGrad(rho_);
+  tmp<surfaceScalarField> force = mixture_.surfaceTensionForce() - ghf_ * fvc::snGrad(rho_);
+  if (dragOnFaces()) force.ref() += dragForce(dimensionedScalar("one", dimless, 1));
+  return force;
 }
 
 // `force` and `inertia` (the old flux's part of the time derivative) stay the same in all
@@ -127,7 +129,9 @@ void TwoFluids::setPressure() {
 }
 
 tmp<vectorField> TwoFluids::pressureGradient() const {
-  return rho_.primitiveField() * g_.value() - balance_.primitiveField();
+  tmp<vectorField> gradient = rho_.primitiveField() * g_.value() - balance_.primitiveField();
+  if (dragOnFaces()) gradient.ref() += dragPush();
+  return gradient;
 }
 
 tmp<surfaceScalarField> TwoFluids::faceMobility() const {
