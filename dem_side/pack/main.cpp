@@ -83,8 +83,8 @@ int fill(Options& options) {
   if (diameters.least <= 0 || diameters.most < diameters.least) {
     throw std::invalid_argument("--least and --most must be positive and in this order");
   }
-  if (room.width < 2 * diameters.most) {
-    throw std::invalid_argument("--width must be at least twice --most: a pair could touch twice");
+  if (room.width <= diameters.most) {
+    throw std::invalid_argument("--width must be above --most: a sphere would touch itself");
   }
   room.margin = options.number("margin", diameters.most);
   double const wanted = options.number("solid_fraction", 0.59);

@@ -128,19 +128,22 @@ void separate(Room const& room, std::vector<Sphere>& spheres) {
     double const dx = b.x - a.x;
     double const dz = b.z - a.z;
     if (std::abs(dx) >= reach || std::abs(dz) >= reach) return;
-    double const dy = nearest_image(b.y - a.y, room.width);
-    double const square = dx * dx + dy * dy + dz * dz;
-    if (square >= reach * reach) return;
-    double const distance = std::sqrt(square);
-    // Coinciding centres: any direction will do.
-    double const half = 0.5 * (reach - distance) / std::max(distance, 1e-9);
-    double const ux = distance > 1e-9 ? dx : 1e-9;
-    a.x -= half * ux;
-    a.y -= half * dy;
-    a.z -= half * dz;
-    b.x += half * ux;
-    b.y += half * dy;
-    b.z += half * dz;
+    double const nearest = nearest_image(b.y - a.y, room.width);
+    // In a room thinner than two spheres a pair can overlap through both faces.
+    for (double const dy : {nearest, nearest - std::copysign(room.width, nearest)}) {
+      double const square = dx * dx + dy * dy + dz * dz;
+      if (square >= reach * reach) continue;
+      double const distance = std::sqrt(square);
+      // Coinciding centres: any direction will do.
+      double const half = 0.5 * (reach - distance) / std::max(distance, 1e-9);
+      double const ux = distance > 1e-9 ? dx : 1e-9;
+      a.x -= half * ux;
+      a.y -= half * dy;
+      a.z -= half * dz;
+      b.x += half * ux;
+      b.y += half * dy;
+      b.z += half * dz;
+    }
   });
   for (auto& s : spheres) keep_inside(room, s);
 }

@@ -120,7 +120,7 @@ class Pack(unittest.TestCase):
     def test_bad_input_is_refused(self):
         for options, reason in (
             ({"least": 5, "most": 4}, "--least and --most"),
-            ({"least": 3, "most": 7}, "--width must be at least twice --most"),
+            ({"least": 3, "most": 13}, "--width must be above --most"),
             ({"least": 3, "most": 6, "colour": 1}, "unknown option --colour"),
             ({"least": "three", "most": 6}, ""),
         ):
