@@ -174,12 +174,12 @@ class Consolidation(Verification):
         self.budgets_close(case, run)
 
     def test_hundred(self) -> None:
-        self.consolidates(100, 1, 250, 0.05)
+        self.consolidates(100, 1, 125, 0.05)
 
     @unittest.skipUnless(FULL, "full verification only")
     def test_full(self) -> None:
-        self.consolidates(200, 1, 1000, 0.05)
-        self.consolidates(100, 100, 2.5e4, 0.05)
+        self.consolidates(200, 1, 500, 0.05)
+        self.consolidates(100, 100, 1.25e4, 0.05)
 
 
 if __name__ == "__main__":
