@@ -44,6 +44,20 @@ TEST(Models, RefusesWhatItDoesNotKnow) {
   EXPECT_THROW(read("[coupling]\nreaction = \"two_way\"\n"), InputError);  // no smoothing length
 }
 
+TEST(Models, StiffRegimeAsksForMoreAndOnlyThere) {
+  std::string const two_way = "[coupling]\nsmoothing_length = 1.0\n";
+  EXPECT_TRUE(read(two_way).particle_needs().empty());
+  Models const stiff = read(two_way + "regime = \"stiff\"\n");
+  EXPECT_TRUE(stiff.stiff);
+  EXPECT_EQ(stiff.particle_needs().size(), 3u);
+  EXPECT_EQ(stiff.needs().size(), read(two_way).needs().size() + 1);
+  // Without a reaction the kick is exact at any stiffness.
+  EXPECT_FALSE(read("[coupling]\nreaction = \"one_way\"\nregime = \"stiff\"\n").stiff);
+  EXPECT_THROW(read(two_way + "regime = \"hard\"\n"), InputError);
+  EXPECT_THROW(read(two_way + "regime = \"stiff\"\n[models]\npressure_gradient = false\n"),
+               InputError);
+}
+
 TEST(Models, NoneIsNothing) {
   EXPECT_TRUE(Models::none().needs().empty());
   EXPECT_FALSE(Models::none().porosity());
