@@ -26,7 +26,7 @@ FixContactMemory::FixContactMemory(LAMMPS* lammps, int argument_count, char** ar
   restart_peratom = 1;
   create_attribute = 1;
   memory_.reset(index(force->inumeric(FLERR, arguments[3])));
-  grow_arrays(atom->nmax);
+  memory_.grow(index(atom->nmax));
   atom->add_callback(0);
   atom->add_callback(1);
 }
