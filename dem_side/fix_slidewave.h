@@ -58,6 +58,8 @@ class FixSlidewave : public Fix {
   std::array<double, 3> travel(int atom) const;
   /// True where no force moves the atom in any direction.
   bool held(int atom) const;
+  /// Takes the other forces from atom->f.
+  void keep_forces();
 
   /// Contacts, weight and other fixes [N], without the fluid's force: what the next half kick of a
   /// local atom begins with.
@@ -72,7 +74,6 @@ class FixSlidewave : public Fix {
     FixPropertyAtom* store = nullptr;
   };
 
-  void keep_forces();
   void update_factors();
   void kick();
 

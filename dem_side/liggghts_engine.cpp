@@ -7,8 +7,10 @@
 #include <cstdio>
 
 #include "atom.h"
+#include "atoms_state.h"
 #include "contact_scale.h"
 #include "domain.h"
+#include "dump.h"
 #include "error_route.h"
 #include "fix_slidewave.h"
 #include "input.h"
@@ -199,6 +201,9 @@ std::vector<Feature> LiggghtsEngine::features() const {
            audit_                          ? "columns of history.csv"
            : wants_audit(session_.scene()) ? EnergyAudit::obstacle(*lmp_)
                                            : "dem.energy_audit = false"},
+          {"checkpoints", passes_state(),
+           passes_state() ? "on a signal or [checkpoint]"
+                          : "fix " + fix_without_checkpoint(*lmp_) + " keeps state of its own"},
           {"particle_layers", session_.scene().number("output.layers", 0.0) > 0, "output.layers"}};
 }
 
@@ -261,15 +266,8 @@ void LiggghtsEngine::gather_extras(Table& particles) {
 }
 
 // Columns are known with the first answers only; the fix goes last, to see every other force.
-void LiggghtsEngine::add_kick(Table const& answers) {
-  std::string command = "fix slidewave_kick all slidewave";
-  command += answers.has("drag") ? " drag 0 fluid_velocity 0 0 0 impulse" : "";
-  command += answers.has("force") ? " force 0 0 0" : "";
-  if (answers.has("memory")) {
-    command += " memory " + std::to_string(answers["memory"].rows());
-  }
-  command += extras_wanted_ ? " start" : "";
-  lmp_->input->one(command.c_str());
+void LiggghtsEngine::add_kick() {
+  lmp_->input->one(kick_command_.c_str());
   kick_ = static_cast<FixSlidewave*>(lmp_->modify->find_fix_id("slidewave_kick"));
   if (audit_) {
     audit_->add_fluid();
@@ -283,7 +281,14 @@ void LiggghtsEngine::apply(Table const& answers) {
   InsideLiggghts const inside;
   LAMMPS_NS::Atom const& atom = *lmp_->atom;
   if (!kick_) {
-    add_kick(answers);
+    kick_command_ = "fix slidewave_kick all slidewave";
+    kick_command_ += answers.has("drag") ? " drag 0 fluid_velocity 0 0 0 impulse" : "";
+    kick_command_ += answers.has("force") ? " force 0 0 0" : "";
+    if (answers.has("memory")) {
+      kick_command_ += " memory " + std::to_string(answers["memory"].rows());
+    }
+    kick_command_ += extras_wanted_ ? " start" : "";
+    add_kick();
   }
   for (char const* name : {"drag", "fluid_velocity", "force", "memory"}) {
     if (!answers.has(name)) {
@@ -330,6 +335,37 @@ void LiggghtsEngine::advance(Window const& window) {
   write_if_due(window.index, window.t1_s);
   if (window.t1_s >= end_s_ * (1 - 1e-9)) {
     loop_->finish();
+  }
+}
+
+bool LiggghtsEngine::passes_state() const {
+  return fix_without_checkpoint(*lmp_).empty();
+}
+
+void LiggghtsEngine::pass(State& state) {
+  InsideLiggghts const inside;
+  state.pass("liggghts.kick", kick_command_);
+  state.pass("liggghts.extras", extras_wanted_);
+  state.pass("liggghts.next_output_s", next_output_s_);
+  if (snapshots_ && (state.saving() || state.has("snapshots.files"))) {
+    snapshots_->pass(state);
+  }
+  if (!state.saving()) {
+    append_to_dumps();
+    if (!kick_command_.empty()) {
+      add_kick();
+    }
+  }
+  loop_->pass(state);
+  pass_atoms(*lmp_, state, kick_);
+}
+
+// A run that goes on must not empty the files that the one before wrote.
+void LiggghtsEngine::append_to_dumps() const {
+  for (int k = 0; k < lmp_->output->ndump; ++k) {
+    std::string const command =
+        std::string("dump_modify ") + lmp_->output->dump[k]->id + " append yes";
+    lmp_->input->one(command.c_str());
   }
 }
 

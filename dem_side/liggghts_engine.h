@@ -35,12 +35,15 @@ class LiggghtsEngine : public ParticleEngine {
   void apply(Table const& answers) override;
   void advance(Window const& window) override;
   std::optional<Vec3> received_impulse() const override;
+  bool passes_state() const override;
+  void pass(State& state) override;
 
  private:
   void set_up_scene();
   void state_facts();
   void gather_extras(Table& particles);
-  void add_kick(Table const& answers);
+  void add_kick();
+  void append_to_dumps() const;
   void check_numbers() const;
   void observe();
   void write_if_due(long window, double time_s);
@@ -54,6 +57,7 @@ class LiggghtsEngine : public ParticleEngine {
   bool drift_told_ = false;
   std::unique_ptr<Snapshots> snapshots_;
   LAMMPS_NS::FixSlidewave* kick_ = nullptr;  // none in a dry scene
+  std::string kick_command_;
   std::vector<Quantity> quantities_;
   Touching touching_;
   bool extras_wanted_ = false;

@@ -126,6 +126,21 @@ void Snapshots::assign_layers(int layers) {
   }
 }
 
+void Snapshots::pass(State& state) {
+  std::vector<std::string> files;
+  std::vector<double> times_s;
+  for (Entry const& entry : series_) {
+    files.push_back(entry.file);
+    times_s.push_back(entry.time_s);
+  }
+  state.pass("snapshots.files", files);
+  state.pass("snapshots.times_s", times_s);
+  series_.clear();
+  for (std::size_t k = 0; k < files.size(); ++k) {
+    series_.push_back({files[k], times_s[k]});
+  }
+}
+
 void Snapshots::write(long window, double time_s) {
   LAMMPS_NS::Atom const& atom = *lmp_.atom;
   std::vector<double> rows;

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "slidewave/state.hpp"
+
 namespace LAMMPS_NS {
 class FixPropertyAtom;
 class LAMMPS;
@@ -20,6 +22,8 @@ class Snapshots {
   /// they start in. Written to `folder`. Collective, as is write().
   Snapshots(LAMMPS_NS::LAMMPS& lmp, std::filesystem::path folder, int layers);
   void write(long window, double time_s);
+  /// The list of what was written.
+  void pass(State& state);
 
  private:
   void assign_layers(int layers);

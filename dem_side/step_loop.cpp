@@ -68,6 +68,35 @@ void StepLoop::advance(double window_s, double wanted_dt_s, double remaining_s) 
   lmp_.update->integrate->run(static_cast<int>(steps));
 }
 
+void StepLoop::pass(State& state) {
+  LAMMPS_NS::Update& update = *lmp_.update;
+  double dt_s = dt_s_;
+  state.pass("steps.dt_s", dt_s);
+  if (!running_) {
+    update.dt = dt_s;
+    update.timestep_set = true;
+    update.whichflag = 1;
+    lmp_.init();
+    update.integrate->setup_minimal(1);
+    lmp_.timer->init();
+    lmp_.timer->barrier_start(TIME_LOOP);
+    dt_s_ = dt_s;
+    running_ = true;
+  }
+  for (auto const& [name, value] : {std::pair("now", &update.ntimestep),
+                                    {"first", &update.firststep},
+                                    {"last", &update.laststep},
+                                    {"begin", &update.beginstep},
+                                    {"end", &update.endstep},
+                                    {"time_is_of", &update.atimestep}}) {
+    long number = *value;
+    state.pass(std::string("steps.") + name, number);
+    *value = number;
+  }
+  state.pass("steps.count", update.nsteps);
+  state.pass("steps.time_s", update.atime);
+}
+
 void StepLoop::finish() {
   if (!running_) {
     return;

@@ -2,6 +2,8 @@
 // once, then continued, so that dumps, thermo lines, neighbour lists and fixes see no seam.
 #pragma once
 
+#include "slidewave/state.hpp"
+
 namespace LAMMPS_NS {
 class LAMMPS;
 }
@@ -23,6 +25,9 @@ class StepLoop {
   void finish();
   double dt_s() const { return dt_s_; }
   bool running() const { return running_; }
+  /// Step counters and time. A run that goes on is first set up as the one that saved once was,
+  /// with the script's particles.
+  void pass(State& state);
 
  private:
   void set_up(double dt_s, long total_steps);

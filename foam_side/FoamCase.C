@@ -66,6 +66,17 @@ FoamCase::FoamCase(std::filesystem::path const& directory, bool parallel, double
       IOobject(fvMesh::defaultRegion, time_->timeName(), *time_, IOobject::MUST_READ));
 }
 
+void FoamCase::pass(State& state) {
+  double now_s = time_->value(), step_s = time_->deltaTValue();
+  long step = time_->timeIndex();
+  state.pass("time.now_s", now_s);
+  state.pass("time.step_s", step_s);
+  state.pass("time.step", step);
+  if (state.saving()) return;
+  time_->setTime(now_s, static_cast<label>(step));
+  time_->setDeltaT(step_s, false);
+}
+
 uniformDimensionedVectorField readGravity(fvMesh const& mesh) {
   return {IOobject("g", mesh.time().constant(), mesh, IOobject::READ_IF_PRESENT),
           dimensionedVector("g", dimAcceleration, Zero)};

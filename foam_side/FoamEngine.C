@@ -2,6 +2,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "FieldState.H"
 #include "FoamCase.H"
 #include "FoamEngine.H"
 #include "Locator.H"
@@ -284,6 +285,17 @@ void FoamEngine::sample(std::string const& field, Table::Column out) {
   } else {
     throw std::invalid_argument("slidewave_foam has no field " + field);
   }
+}
+
+void FoamEngine::pass(State& state) try {
+  Impl& self = *impl_;
+  self.foam.pass(state);  // first: fields keep old times by the number of the step
+  state.pass("foam.outputs", self.outputs);
+  FieldState fields(state, self.foam.mesh());
+  self.flow->pass(fields);
+} catch (Foam::error const& problem) {
+  Info << problem << endl;
+  throw std::runtime_error("OpenFOAM: " + problem.message());
 }
 
 Vec3 FoamEngine::given_impulse() const {

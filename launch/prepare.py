@@ -70,7 +70,7 @@ def prepare(case: Case, directory: Path, ranks_fluid: int | None = None,
     _fill_kernel(case, known)
     if fluid:
         fluid_ranks = ranks_fluid or ranks.suggested(known.mesh.cells, ranks.CELLS_A_RANK)
-        _decompose(fluid, directory, known.mesh, fluid_ranks)
+        decompose(fluid, directory, known.mesh, fluid_ranks)
         (fluid / "case.foam").touch()
     else:  # a prescribed flow is one rank's work
         fluid_ranks = 0 if case.get("fluid.engine") == "none" else ranks_fluid or 1
@@ -114,7 +114,8 @@ def _mesh(fluid: Path, directory: Path) -> None:
             progress.utility([name, "-case", str(fluid)], directory / f"log.{name}", environment, directory)
 
 
-def _decompose(fluid: Path, directory: Path, mesh: facts.MeshFacts, count: int) -> None:
+def decompose(fluid: Path, directory: Path, mesh: facts.MeshFacts, count: int) -> None:
+    """Cuts the mesh and the initial fields along its longest extent; nothing for one rank."""
     if count <= 1:
         return
     if count > mesh.cells:

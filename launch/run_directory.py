@@ -32,10 +32,14 @@ class Place:
             self.directory.mkdir()
 
 
+def place_of(out: Path | None, case_name: str, variant: str) -> Path:
+    """Where a run of a case goes: `out`, else runs/<case>-<variant>."""
+    return (out or Path("runs") / (f"{case_name}-{variant}" if variant else case_name)).absolute()
+
+
 def make(out: Path | None, case_name: str, variant: str, overwrite: bool) -> Place:
     """An empty run directory: `out`, else runs/<case>-<variant>, where an older run is kept as .1, .2."""
-    directory = out or Path("runs") / (f"{case_name}-{variant}" if variant else case_name)
-    directory = directory.absolute()
+    directory = place_of(out, case_name, variant)
     existed, kept = directory.is_dir(), None
     if directory.exists() and not existed:
         raise InputError(directory, "--out", None, "is a file; give a directory")

@@ -91,6 +91,13 @@ class UniformFlow : public FluidEngine {
     return {{"fluid solve", false, "prescribed flow (fluid.engine = \"uniform_flow\")"}};
   }
 
+  bool passes_state() const override { return true; }
+  void pass(State& state) override {
+    state.pass("uniform_flow.time_s", time_s_);
+    state.pass("uniform_flow.mean_sine", mean_sine_);
+    state.pass("uniform_flow.mean_cosine", mean_cosine_);
+  }
+
   // What only a fluid that particles act on is asked for.
   void deposit(Table::ConstColumn) override {}
   void exchange(Table::ConstColumn, Table::ConstColumn, Table::ConstColumn) override {}

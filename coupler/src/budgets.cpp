@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "pass.hpp"
+
 namespace slidewave {
 namespace {
 
@@ -45,6 +47,21 @@ void Budgets::add(double window_s, double gravity_m_s2, DemSums const& dem,
   Vec3 const pressure =
       in_plane_.cwiseProduct(Map3(fluid.particle_pressure) - Map3(fluid.cell_pressure));
   pressure_defect_ = ratio(pressure.norm(), fluid.particle_pressure_abs);
+}
+
+void Budgets::pass(State& state) {
+  state.pass("budgets.started", started_);
+  pass_sums(state, "budgets.first", first_);
+  pass_sums(state, "budgets.last", last_);
+  pass_sums(state, "budgets.fluid", fluid_);
+  state.pass("budgets.ledger_kg_m_s", ledger_);
+  state.pass("budgets.residual_kg_m_s", residual_);
+  state.pass("budgets.received_kg_m_s", received_abs_);
+  state.pass("budgets.turnover_kg_m_s", turnover_.data(), outstanding_windows);
+  state.pass("budgets.windows", windows_);
+  state.pass("budgets.solid_volume_defect", solid_volume_defect_);
+  state.pass("budgets.pressure_defect", pressure_defect_);
+  state.pass("budgets.constraint_kg_m_s", constraint_);
 }
 
 double Budgets::momentum_defect() const {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "models.hpp"
+#include "slidewave/state.hpp"
 #include "sums.hpp"
 
 namespace slidewave {
@@ -14,6 +15,7 @@ class Budgets {
   /// `in_plane`: 0 along an axis that the fluid does not solve; budgets leave it out.
   Budgets(Models const& models, Vec3 const& in_plane) : models_(models), in_plane_(in_plane) {}
   void add(double window_s, double gravity_m_s2, DemSums const& dem, FluidSums const& fluid);
+  void pass(State& state);
   /// The columns for history.csv, of the models in use.
   std::vector<Quantity> columns() const;
 

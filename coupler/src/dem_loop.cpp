@@ -1,5 +1,6 @@
 // The particle side's loop: gather -> send -> receive -> apply -> advance.
 #include <cmath>
+#include <utility>
 
 #include "outbox.hpp"
 #include "relay.hpp"
@@ -16,6 +17,7 @@ class DemLoop {
         engine_(engine),
         agreed_(agreed),
         windows_(Windows::of(session.scene)),
+        checkpoints_(session, engine, windows_),
         relay_(session),
         outbox_(session, agreed) {
     for (Field const& field : Layout::gathered(agreed.models, session.world.has_partner())) {
@@ -24,33 +26,41 @@ class DemLoop {
     for (Field const& field : Layout::answered(agreed.models)) {
       answers_.add(field);
     }
+    bool const goes_on = checkpoints_.find();
     if (!session.world.has_partner() && session.is_root()) {
       session.say(describe(agreed));
-      reporter_ = std::make_unique<Reporter>(session, agreed, windows_);
+      reporter_ = std::make_unique<Reporter>(session, agreed, windows_, checkpoints_);
+    }
+    if (goes_on) {
+      checkpoints_.load([this](State& state) { pass(state); });
+      if (checkpoints_.fluid_ranks() != session.world.partner_size) {
+        outbox_.forget_homes();
+      }
     }
   }
 
   void run() {
-    bool stop = false;
-    for (long n = 0; n <= windows_.count() && !stop; ++n) {
+    Wishes now;
+    for (long n = checkpoints_.window() + 1; n <= windows_.count() && !now.stop; ++n) {
       gather();
-      if (n > 0) {
-        report(windows_[n - 1]);
+      report_last();
+      Window window = windows_[n];
+      now = checkpoints_.settle(exchange(n, checkpoints_.wishes(n)), n);
+      window.stop = now.stop;
+      window.checkpoint = now.checkpoint;
+      advance(window);
+      unreported_ = n;
+      if (now.checkpoint) {
+        save(window);
       }
-      stop = exchange(n) && n < windows_.count();
-      advance(windows_[n]);
-      last_ = n;
     }
     gather();
-    if (session_.world.has_partner()) {
-      outbox_.recall(particles_);
-    }
-    report(windows_[last_]);
+    report_last();
     if (session_.world.has_partner() && session_.is_root()) {
       relay_.finish();
     }
     if (reporter_) {
-      reporter_->finish(stop);
+      reporter_->finish(now.stop);
     }
   }
 
@@ -63,18 +73,35 @@ class DemLoop {
     }
   }
 
-  /// True if the run is to stop at the end of this window.
-  bool exchange(long n) {
+  /// What any rank wishes for the end of this window.
+  Wishes exchange(long n, Wishes mine) {
     if (!session_.world.has_partner()) {
-      double wish = stop_was_asked() ? 1 : 0;
-      session_.agreement.sum_side(&wish, 1, "all dem ranks to end the window");
-      return wish > 0;
+      double wishes[2] = {mine.stop ? 1.0 : 0.0, mine.checkpoint ? 1.0 : 0.0};
+      session_.agreement.sum_side(wishes, 2, "all dem ranks to end the window");
+      return {wishes[0] > 0, wishes[1] > 0};
     }
-    bool const stop = outbox_.send(particles_, n, stop_was_asked());
+    Wishes const all = outbox_.send(particles_, n, mine);
     outbox_.receive(answers_, n);
     Scope const scope(session_.profile, Phase::exchange);
     engine_.apply(answers_);
-    return stop;
+    return all;
+  }
+
+  /// All that lives across windows on this side.
+  void pass(State& state) {
+    outbox_.pass(state);
+    engine_.pass(state);
+    if (reporter_) {
+      reporter_->pass(state);
+    }
+  }
+
+  void save(Window const& window) {
+    gather();
+    report_last();
+    checkpoints_.save(
+        window, [this](State& state) { pass(state); }, reporter_ ? reporter_->history_bytes() : 0,
+        reporter_ ? reporter_->spent() : Spent());
   }
 
   void advance(Window const& window) {
@@ -84,7 +111,11 @@ class DemLoop {
   }
 
   /// The row of a finished window, from particles gathered after it.
-  void report(Window const& window) {
+  void report_last() {
+    if (unreported_ < 0) {
+      return;
+    }
+    Window const window = windows_[std::exchange(unreported_, -1)];
     DemSums sums = add_up();
     session_.agreement.sum_side(numbers_of(sums), count_of<DemSums>(), "all dem ranks to add up");
     if (!session_.is_root()) {
@@ -120,12 +151,13 @@ class DemLoop {
   ParticleEngine& engine_;
   Agreed const& agreed_;
   Windows windows_;
+  Checkpoints checkpoints_;
   Relay relay_;
   Outbox outbox_;
   Table particles_;
   Table answers_;
   std::vector<Quantity> columns_;
-  long last_ = 0;
+  long unreported_ = -1;  ///< finished, but its row is not written; -1: none
   std::unique_ptr<Reporter> reporter_;
 };
 

@@ -22,6 +22,7 @@ class FluidLoop {
         agreed_(agreed),
         models_(agreed.models),
         windows_(Windows::of(session.scene)),
+        checkpoints_(session, engine, windows_),
         relay_(session),
         inbox_(session, agreed) {
     for (Field const& field : agreed.layout.to_fluid) {
@@ -48,40 +49,62 @@ class FluidLoop {
       particles_.add({"response", "kg/s", 1});
       gravity_m_s2_ = session.scene.vector("physics.gravity");
     }
+    bool const goes_on = checkpoints_.find();
     if (session.is_root()) {
       session.say(describe(agreed));
-      reporter_ = std::make_unique<Reporter>(session, agreed, windows_);
+      reporter_ = std::make_unique<Reporter>(session, agreed, windows_, checkpoints_);
+    }
+    if (goes_on) {
+      checkpoints_.load([this](State& state) { pass(state); });
     }
   }
 
   void run() {
-    bool stop = false;
-    for (long n = 0; n <= windows_.count() && !stop; ++n) {
-      Window const window = windows_[n];
-      stop = collect(n) && n < windows_.count();
-      if (n > 0) {
-        report(windows_[n - 1]);
-      }
+    Wishes now;
+    for (long n = checkpoints_.window() + 1; n <= windows_.count() && !now.stop; ++n) {
+      Window window = windows_[n];
+      now = checkpoints_.settle(collect(n, checkpoints_.wishes(n)), n);
+      window.stop = now.stop;
+      window.checkpoint = now.checkpoint;
+      report_last();
       begin(window);
       advance(window);
       end(window);
-      last_ = n;
+      unreported_ = n;
+      if (now.checkpoint) {
+        save(window);
+      }
     }
-    report(windows_[last_]);
+    report_last();
     if (reporter_) {
-      reporter_->finish(stop);
+      reporter_->finish(now.stop);
     }
   }
 
  private:
-  /// True if the run is to stop at the end of this window.
-  bool collect(long n) {
+  /// What any rank wishes for the end of this window.
+  Wishes collect(long n, Wishes mine) {
     if (session_.world.has_partner()) {
-      return inbox_.collect(engine_, particles_, cell_, n, stop_was_asked());
+      return inbox_.collect(engine_, particles_, cell_, n, mine);
     }
-    double wish = stop_was_asked() ? 1 : 0;
-    session_.agreement.sum_side(&wish, 1, "all fluid ranks to end the window");
-    return wish > 0;
+    double wishes[2] = {mine.stop ? 1.0 : 0.0, mine.checkpoint ? 1.0 : 0.0};
+    session_.agreement.sum_side(wishes, 2, "all fluid ranks to end the window");
+    return {wishes[0] > 0, wishes[1] > 0};
+  }
+
+  /// All that lives across windows on this side.
+  void pass(State& state) {
+    engine_.pass(state);
+    if (reporter_) {
+      reporter_->pass(state);
+    }
+  }
+
+  void save(Window const& window) {
+    report_last();
+    checkpoints_.save(
+        window, [this](State& state) { pass(state); }, reporter_ ? reporter_->history_bytes() : 0,
+        reporter_ ? reporter_->spent() : Spent());
   }
 
   void begin(Window const& window) {
@@ -198,7 +221,11 @@ class FluidLoop {
   }
 
   /// The row of a finished window: the particle side's part comes after its advance.
-  void report(Window const& window) {
+  void report_last() {
+    if (unreported_ < 0) {
+      return;
+    }
+    Window const window = windows_[std::exchange(unreported_, -1)];
     std::copy(session_.profile.seconds.begin(), session_.profile.seconds.end(), sums_.seconds);
     session_.agreement.sum_side(numbers_of(sums_), count_of<FluidSums>(),
                                 "all fluid ranks to add up");
@@ -220,6 +247,7 @@ class FluidLoop {
   Agreed const& agreed_;
   Models const& models_;
   Windows windows_;
+  Checkpoints checkpoints_;
   Relay relay_;
   Inbox inbox_;
   Table particles_;
@@ -230,7 +258,7 @@ class FluidLoop {
   DemSums dem_sums_;
   std::vector<Quantity> columns_;
   std::vector<Quantity> dem_columns_;
-  long last_ = 0;
+  long unreported_ = -1;  ///< finished, but its row is not written; -1: none
   std::unique_ptr<Reporter> reporter_;
 };
 

@@ -1,6 +1,7 @@
 #include "history.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
@@ -8,7 +9,8 @@
 
 namespace slidewave {
 
-History::History(std::filesystem::path const& file) : file_(std::fopen(file.c_str(), "w")) {
+History::History(std::filesystem::path const& file, bool goes_on)
+    : file_(std::fopen(file.c_str(), goes_on ? "r+" : "w")) {
   if (!file_) {
     throw std::runtime_error(
         fmt::format("cannot write {}: {}", file.string(), std::strerror(errno)));
@@ -17,6 +19,21 @@ History::History(std::filesystem::path const& file) : file_(std::fopen(file.c_st
 
 History::~History() {
   std::fclose(file_);
+}
+
+long History::bytes() {
+  ::fsync(::fileno(file_));  // add() has flushed it
+  return std::ftell(file_);
+}
+
+void History::pass(State& state) {
+  long length = bytes();
+  state.pass("history.names", names_);
+  state.pass("history.bytes", length);
+  if (!state.saving() &&
+      (::ftruncate(::fileno(file_), length) != 0 || std::fseek(file_, length, SEEK_SET) != 0)) {
+    throw std::runtime_error(fmt::format("cannot shorten history.csv: {}", std::strerror(errno)));
+  }
 }
 
 void History::add(Window const& window, std::vector<Quantity> const& columns) {

@@ -6,16 +6,22 @@
 #include <vector>
 
 #include "slidewave/engine.hpp"
+#include "slidewave/state.hpp"
 
 namespace slidewave {
 
 class History {
  public:
-  explicit History(std::filesystem::path const& file);
+  /// Begins a new file, or where `goes_on` keeps what is there for cut().
+  explicit History(std::filesystem::path const& file, bool goes_on = false);
   ~History();
   History(History const&) = delete;
   /// Throws std::runtime_error where the columns change or the disk is full.
   void add(Window const& window, std::vector<Quantity> const& columns);
+  /// Length of the file so far, all of it on disk.
+  long bytes();
+  /// Drops what was written after a checkpoint that has pass()ed.
+  void pass(State& state);
 
  private:
   std::FILE* file_;

@@ -32,8 +32,8 @@ Inbox::Inbox(Session::Impl& session, Agreed const& agreed)
       queries_(session.world, session.waiter),
       moves_(session.world, session.waiter) {}
 
-bool Inbox::collect(FluidEngine& engine, Table& particles, std::vector<int>& cell, long window,
-                    bool stop_wanted) {
+Wishes Inbox::collect(FluidEngine& engine, Table& particles, std::vector<int>& cell, long window,
+                      Wishes mine) {
   Scope const scope(session_.profile, Phase::exchange);
   auto const& messages = particles_.collect(tag::particles, "the particles");
   batch_count_ = messages.size();
@@ -44,11 +44,11 @@ bool Inbox::collect(FluidEngine& engine, Table& particles, std::vector<int>& cel
         channel_.rows_of(messages[b]->data, window, tag::particles, messages[b]->source);
   }
   locate(engine, window);
-  double common[2] = {0, stop_wanted ? 1.0 : 0.0};  // misses, wishes to stop
+  double common[3] = {0, mine.stop ? 1.0 : 0.0, mine.checkpoint ? 1.0 : 0.0};  // first: misses
   for (std::size_t b = 0; b < batch_count_; ++b) {
     common[0] += batches_[b].misses[1];
   }
-  session_.agreement.sum_all(common, 2, "all ranks to locate the particles");
+  session_.agreement.sum_all(common, 3, "all ranks to locate the particles");
   moved_.clear();
   if (common[0] > 0) {
     for (std::size_t b = 0; b < batch_count_; ++b) {
@@ -58,7 +58,7 @@ bool Inbox::collect(FluidEngine& engine, Table& particles, std::vector<int>& cel
     read_moves(window);
   }
   build(engine, particles, cell);
-  return common[1] > 0;
+  return {common[1] > 0, common[2] > 0};
 }
 
 void Inbox::locate(FluidEngine& engine, long window) {

@@ -4,6 +4,7 @@
 #include "channel.hpp"
 #include "handshake.hpp"
 #include "sparse.hpp"
+#include "wishes.hpp"
 
 namespace slidewave {
 
@@ -11,9 +12,9 @@ class Inbox {
  public:
   Inbox(Session::Impl& session, Agreed const& agreed);
   /// Fills the table (columns of the layout to the fluid) and the cells of this rank's particles,
-  /// in an order that does not depend on when messages arrived. True if any rank wants to stop.
-  bool collect(FluidEngine& engine, Table& particles, std::vector<int>& cell, long window,
-               bool stop_wanted);
+  /// in an order that does not depend on when messages arrived. Gives what any rank wishes.
+  Wishes collect(FluidEngine& engine, Table& particles, std::vector<int>& cell, long window,
+                 Wishes mine);
   /// Sends the columns of the layout to the particle side back to where the rows came from.
   void answer(Table const& answers, std::vector<int> const& cell, long window);
 

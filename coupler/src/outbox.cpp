@@ -46,11 +46,12 @@ void Outbox::choose_destinations(Table const& particles) {
   auto const position = particles["position"];
   auto const radius = particles["radius"];
   for (long i = 0; i < particles.size(); ++i) {
-    if (owner_[i] < 0 || owner_[i] >= session_.world.partner_size) {
+    if (owner_[i] < 0 || owner_[i] >= session_.world.partner_size || !homes_known_) {
       owner_[i] = map_.first(position.col(i), radius(0, i));
       derived_["cell_hint"](0, i) = -1;
     }
   }
+  homes_known_ = true;
   groups_.sort(owner_, session_.world.partner_size);
 }
 
@@ -70,7 +71,7 @@ void Outbox::pack_rows(Table const& particles, int const* rows, long count, doub
   }
 }
 
-bool Outbox::send(Table const& particles, long window, bool stop_wanted) {
+Wishes Outbox::send(Table const& particles, long window, Wishes mine) {
   Scope const scope(session_.profile, Phase::exchange);
   recall(particles);
   if (agreed_.models.stiff) {
@@ -90,8 +91,8 @@ bool Outbox::send(Table const& particles, long window, bool stop_wanted) {
   }
   sender_.finish("the particles");
 
-  double common[2] = {0, stop_wanted ? 1.0 : 0.0};  // misses, wishes to stop
-  session_.agreement.sum_all(common, 2, "fluid: to locate the particles");
+  double common[3] = {0, mine.stop ? 1.0 : 0.0, mine.checkpoint ? 1.0 : 0.0};  // first: misses
+  session_.agreement.sum_all(common, 3, "fluid: to locate the particles");
   misses_.clear();
   census_ = {};
   if (common[0] > 0) {
@@ -101,7 +102,7 @@ bool Outbox::send(Table const& particles, long window, bool stop_wanted) {
   }
   expect_answers();
   judge_outside(particles, window);
-  return common[1] > 0;
+  return {common[1] > 0, common[2] > 0};
 }
 
 void Outbox::judge_outside(Table const& particles, long window) {

@@ -6,6 +6,7 @@
 #include "handshake.hpp"
 #include "routes.hpp"
 #include "sparse.hpp"
+#include "wishes.hpp"
 
 namespace slidewave {
 
@@ -19,9 +20,9 @@ struct Census {
 class Outbox {
  public:
   Outbox(Session::Impl& session, Agreed const& agreed);
-  /// Sends this rank's particles and settles who owns each. True if any rank of either side wants
-  /// to stop.
-  bool send(Table const& particles, long window, bool stop_wanted);
+  /// Sends this rank's particles and settles who owns each. Gives what any rank of either side
+  /// wishes.
+  Wishes send(Table const& particles, long window, Wishes mine);
   /// Fills drag, fluid_velocity, force and memory; zero for particles outside.
   void receive(Table& answers, long window);
   Census const& census() const { return census_; }
@@ -29,6 +30,9 @@ class Outbox {
   Table::ConstColumn ledger() const { return derived_["ledger"]; }
   /// Unpacks memory: ledger and last home. Called by send(), and once more after the last window.
   void recall(Table const& particles);
+  void pass(State& state) { state.pass("outbox.most_outside", most_outside_); }
+  /// The fluid's ranks are others than those that memory names: look for all homes once again.
+  void forget_homes() { homes_known_ = false; }
 
  private:
   struct Miss {
@@ -66,6 +70,7 @@ class Outbox {
   std::size_t expected_count_ = 0;
   Census census_;
   long most_outside_ = 0;
+  bool homes_known_ = true;
 };
 
 }  // namespace slidewave

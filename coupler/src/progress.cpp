@@ -30,8 +30,8 @@ std::string Progress::line(Window const& window, std::vector<Quantity> const& co
   spoken_share_ = share;
   double const elapsed = now - start_s_;
   std::string line = fmt::format("t = {:.4g} s  {:3.0f} %", window.t1_s, 100 * share);
-  if (share > 0) {
-    line += fmt::format("  left {}", clock_text(elapsed * (1 - share) / share));
+  if (share > begin_share_) {
+    line += fmt::format("  left {}", clock_text(elapsed * (1 - share) / (share - begin_share_)));
   }
   if (elapsed > 0 && (dem_wait_s > 0 || fluid_wait_s > 0)) {
     line += fmt::format("  waiting: fluid {:.0f} %, dem {:.0f} %", 100 * fluid_wait_s / elapsed,

@@ -13,6 +13,8 @@ class Progress {
  public:
   /// `headline`: the history column to show; may be empty.
   Progress(double end_s, std::string headline);
+  /// The run begins at this time of the case, not at 0.
+  void begins_at(double time_s) { begin_share_ = time_s / end_s_; }
   /// The line for this row, or empty: at most one every 2 s and every 2 %.
   std::string line(Window const& window, std::vector<Quantity> const& columns, double dem_wait_s,
                    double fluid_wait_s);
@@ -21,6 +23,7 @@ class Progress {
   double end_s_;
   std::string headline_;
   double start_s_;
+  double begin_share_ = 0;
   double spoken_s_ = -1e9;
   double spoken_share_ = -1;
 };

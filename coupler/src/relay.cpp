@@ -1,6 +1,7 @@
 #include "relay.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "tags.hpp"
 
@@ -8,7 +9,7 @@ namespace slidewave {
 
 void Relay::send(long window, DemSums sums, std::vector<Quantity> const& columns) {
   channel_.finish("the last row");
-  if (window == 0) {  // names travel once
+  if (!std::exchange(named_, true)) {  // names travel once
     for (Quantity const& column : columns) {
       names_ += column.name + "\n";
     }
@@ -23,7 +24,8 @@ void Relay::send(long window, DemSums sums, std::vector<Quantity> const& columns
 }
 
 void Relay::receive(long window, DemSums& sums, std::vector<Quantity>& columns) {
-  if (window == 0) {
+  if (!std::exchange(named_, true)) {
+    columns.clear();
     std::string const names = session_.agreement.receive_text("names of the dem columns");
     for (std::size_t begin = 0; begin < names.size();) {
       std::size_t const end = names.find('\n', begin);

@@ -19,6 +19,7 @@ class Relay {
   Channel channel_;
   std::vector<double> buffer_;
   std::string names_;
+  bool named_ = false;
 };
 
 }  // namespace slidewave

@@ -4,13 +4,35 @@
 
 namespace slidewave {
 
-Reporter::Reporter(Session::Impl& session, Agreed const& agreed, Windows const& windows)
+Reporter::Reporter(Session::Impl& session, Agreed const& agreed, Windows const& windows,
+                   Checkpoints const& checkpoints)
     : session_(session),
       budgets_(agreed.models, agreed.in_plane),
-      history_(session.scene.directory() / "history.csv"),
+      history_(session.scene.directory() / "history.csv", checkpoints.window() >= 0),
       progress_(windows.end_s(), session.scene.text("output.headline", "")),
       summary_(session, agreed),
-      gravity_m_s2_(session.scene.vector("physics.gravity").norm()) {}
+      gravity_m_s2_(session.scene.vector("physics.gravity").norm()),
+      before_(checkpoints.spent()) {
+  if (checkpoints.window() >= 0) {
+    ++before_.restarts;
+    summary_.goes_on(before_.wall_s, before_.restarts);
+    progress_.begins_at(windows[checkpoints.window()].t1_s);
+  }
+}
+
+void Reporter::pass(State& state) {
+  budgets_.pass(state);
+  history_.pass(state);
+  summary_.pass(state);
+}
+
+Spent Reporter::spent() const {
+  Spent spent = before_;
+  spent.wall_s = now_s() - session_.start_s + before_.wall_s;
+  std::copy_n(fluid_.seconds, Profile::phases, spent.fluid_s);
+  std::copy_n(dem_.seconds, Profile::phases, spent.dem_s);
+  return spent;
+}
 
 void Reporter::add(Window const& window, DemSums const& dem,
                    std::vector<Quantity> const& dem_columns, FluidSums const& fluid,
@@ -29,7 +51,13 @@ void Reporter::add(Window const& window, DemSums const& dem,
       summary_.cells(quantity.value);
     }
   }
-  summary_.add(window, columns, dem, fluid);
+  dem_ = dem;
+  fluid_ = fluid;
+  for (int k = 0; k < Profile::phases; ++k) {
+    dem_.seconds[k] += before_.dem_s[k];
+    fluid_.seconds[k] += before_.fluid_s[k];
+  }
+  summary_.add(window, columns, dem_, fluid_);
 
   int const wait = static_cast<int>(Phase::wait);
   auto const& world = session_.world;

@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "pass.hpp"
+
 namespace slidewave {
 namespace {
 
@@ -91,12 +93,22 @@ void Summary::add(Window const& window, std::vector<Quantity> const& columns, De
   }
 }
 
+void Summary::pass(State& state) {
+  state.pass("summary.windows", windows_);
+  state.pass("summary.cells", cells_);
+  pass_sums(state, "summary.dem", dem_);
+  pass_sums(state, "summary.fluid", fluid_);
+  pass_columns(state, "summary.last", last_);
+  pass_map(state, "summary.extremes", extremes_);
+  pass_map(state, "summary.budgets", budgets_);
+}
+
 void Summary::write(std::string const& status) const {
   auto const& world = session_.world;
   bool const is_fluid = session_.role == Role::fluid;
   int const fluid_ranks = is_fluid ? world.size : world.partner_size;
   int const dem_ranks = is_fluid ? world.partner_size : world.size;
-  double const wall_s = now_s() - session_.start_s;
+  double const wall_s = now_s() - session_.start_s + wall_before_s_;
   Json json;
   json["case"] = session_.scene.text("case.name", "");
   json["variant"] = session_.scene.text("run.variant", "");
@@ -105,6 +117,7 @@ void Summary::write(std::string const& status) const {
   json["wall_s"] = wall_s;
   json["core_s"] = wall_s * (fluid_ranks + dem_ranks);
   json["windows"] = windows_;
+  json["restarts"] = restarts_;
   json["particles"] = dem_.particles;
   json["cells"] = cells_;
   json["ranks"] = {{"fluid", fluid_ranks}, {"dem", dem_ranks}};

@@ -13,6 +13,12 @@ class Summary {
  public:
   Summary(Session::Impl& session, Agreed const& agreed);
   void cells(double count) { cells_ = count; }
+  /// Wall time [s] before the checkpoint that the run goes on from, and how often it has gone on.
+  void goes_on(double wall_before_s, long restarts) {
+    wall_before_s_ = wall_before_s;
+    restarts_ = restarts;
+  }
+  void pass(State& state);
   void add(Window const& window, std::vector<Quantity> const& columns, DemSums const& dem,
            FluidSums const& fluid);
   void write(std::string const& status) const;
@@ -22,6 +28,8 @@ class Summary {
   Agreed const& agreed_;
   long windows_ = 0;
   double cells_ = 0;
+  double wall_before_s_ = 0;
+  long restarts_ = 0;
   DemSums dem_;
   FluidSums fluid_;
   std::vector<Quantity> last_;

@@ -107,6 +107,11 @@ void OneFluid::accountVolumes() {
              time_.deltaTValue() * boundaryOutflow(F_));
 }
 
+void OneFluid::pass(FieldState& fields) {
+  PorousFlow::pass(fields);
+  fluid_.pass(fields.state());
+}
+
 tmp<volScalarField> OneFluid::uniform(dimensionedScalar const& value) const {
   return volScalarField::New(value.name(), mesh_, value);
 }

@@ -28,6 +28,12 @@ double VolumeBudget::defect() const {
   return std::abs(now_m3 - initial_m3 + out_m3) / std::max({initial_m3, now_m3, VSMALL});
 }
 
+void VolumeBudget::pass(State& state) {
+  state.pass("volume." + name + ".initial_m3", initial_m3);
+  state.pass("volume." + name + ".now_m3", now_m3);
+  state.pass("volume." + name + ".out_m3", out_m3);
+}
+
 scalar boundaryOutflow(surfaceScalarField const& flux) {
   scalar out = 0;
   for (fvsPatchScalarField const& patch : flux.boundaryField()) {
@@ -205,6 +211,24 @@ tmp<surfaceScalarField> PorousFlow::dragForce(dimensionedScalar const& scale) co
     }
   }
   return force;
+}
+
+void PorousFlow::pass(FieldState& fields) {
+  fields.pass(eps_);
+  epsf_ = fvc::interpolate(eps_);
+  U_.oldTime();  // kept from now on: the next step must not find a field that it has changed
+  fields.pass(U_);
+  fields.pass(p_);
+  fields.pass(phi_);
+  fields.pass(F_);
+  fields.pass(rate_);
+  if (keepVelocity_) fields.pass("meanU", meanU_);
+  if (keepGradient_) fields.pass("meanGradP", meanGradP_);
+  State& state = fields.state();
+  stepSize_.pass(state);
+  state.pass("flow.steps", steps_);
+  state.pass("flow.max_courant", maxCourant_);
+  initialised_ = true;
 }
 
 void PorousFlow::account() {

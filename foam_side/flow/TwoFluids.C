@@ -138,6 +138,25 @@ tmp<surfaceScalarField> TwoFluids::faceMobility() const {
   return time_.deltaT() / fvc::interpolate(rho_);
 }
 
+// The curvature of the interface too: where a contact angle is set it cannot be made from alpha
+// again.
+void TwoFluids::pass(FieldState& fields) {
+  PorousFlow::pass(fields);
+  mixture_.alpha1().oldTime();
+  fields.pass(mixture_.alpha1());
+  fields.pass(mixture_.alpha2());
+  fields.pass(rho_);
+  fields.pass(p_full_);
+  fields.pass(alphaF_);
+  fields.pass(rhoF_);
+  fields.pass(balance_);
+  if (!fields.state().saving()) mixture_.correct();
+  fields.pass(mesh_.lookupObjectRef<surfaceScalarField>("nHatf"));
+  fields.pass(mesh_.lookupObjectRef<volScalarField>("interfaceProperties:K"));
+  water_.pass(fields.state());
+  air_.pass(fields.state());
+}
+
 scalar TwoFluids::interfaceCourant() const {
   scalarField const near(mixture_.nearInterface()().primitiveField());
   return courantNumber(F_, eps_, eps_, time_.deltaTValue(), &near);

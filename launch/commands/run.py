@@ -10,7 +10,7 @@ import argparse
 from pathlib import Path
 
 from launch import case as cases
-from launch import preflight, prepare, process, progress, ranks, run_directory
+from launch import preflight, prepare, process, progress, ranks, restart, run_directory
 from launch.commands import report
 from launch.errors import InputError, RunError
 
@@ -37,6 +37,8 @@ def case_arguments(parser: argparse.ArgumentParser) -> None:
                         help="run directory (default runs/CASE-VARIANT; an older run is kept as .1, .2)")
     parser.add_argument("--overwrite", action="store_true", help="replace the run that DIR holds")
     parser.add_argument("--force", action="store_true", help="run although the pre-flight check says no")
+    parser.add_argument("--restart", action="store_true",
+                        help="go on from the newest complete checkpoint of the run in DIR (docs/restart.md)")
 
 
 def positive(text: str) -> int:
@@ -51,6 +53,8 @@ def make_ready(options: argparse.Namespace) -> prepare.Prepared:
     """A complete run directory from the options of case_arguments(); prints the plain mpirun line.
     RunError where the pre-flight check refuses the scene."""
     case = cases.load(options.case, options.variant, options.settings)
+    if options.restart:
+        return _take_up(case, options)
     prepare.check_input(case)
     place = run_directory.make(options.out, case.name, case.variant, options.overwrite)
     directory = place.directory
@@ -72,6 +76,15 @@ def make_ready(options: argparse.Namespace) -> prepare.Prepared:
     progress.say(f"prepared in {ready.prepare_s:.1f} s")
     progress.say(ranks.mpirun_line(directory, ready.ranks_fluid, ready.ranks_dem,
                                    ready.fluid_engine, ready.dem_engine))
+    return ready
+
+
+def _take_up(case: cases.Case, options: argparse.Namespace) -> prepare.Prepared:
+    if options.overwrite:
+        raise InputError("command line", "--overwrite", None, "contradicts --restart")
+    directory = run_directory.place_of(options.out, case.name, case.variant)
+    ready = restart.take_up(case, directory, options.ranks_fluid, options.ranks_dem)
+    progress.say(ranks.mpirun_line(directory, ready.ranks_fluid, ready.ranks_dem, ready.fluid_engine))
     return ready
 
 

@@ -71,7 +71,7 @@ void fluid_side(Session::Impl& session, int windows) {
   }
   std::vector<int> cell;
   for (long n = 0; n < windows; ++n) {
-    EXPECT_EQ(inbox.collect(engine, table, cell, n, false), n == windows - 1);
+    EXPECT_EQ(inbox.collect(engine, table, cell, n, {}).stop, n == windows - 1);
     ASSERT_EQ(table.size(), static_cast<long>(cell.size()));
     for (long i = 0; i < table.size(); ++i) {
       Vec3 const x = table["position"].col(i);
@@ -131,7 +131,7 @@ void dem_side(Session::Impl& session, int windows) {
       volume += distance <= radius ? 4 * M_PI / 3 * std::pow(radius, 3) : 0;
     }
     bool const wish = n == windows - 1 && world.rank == world.size - 1;
-    EXPECT_EQ(outbox.send(table, n, wish), n == windows - 1);
+    EXPECT_EQ(outbox.send(table, n, {wish, false}).stop, n == windows - 1);
     EXPECT_EQ(outbox.census().outside, count - inside);
     EXPECT_EQ(outbox.census().nearest_cell, nearest);
     EXPECT_NEAR(outbox.census().volume_m3, volume, 1e-12 * volume);

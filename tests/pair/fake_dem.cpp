@@ -12,10 +12,11 @@ struct FakeDem : ParticleEngine {
   double mass = number("parameters.particle_density") * 4 / 3 * M_PI * std::pow(radius, 3);
   Eigen::Matrix3Xd x, v, impulse, travel;  // one column a particle
   Table now;                               // the last answers
+  long const total = long(number("parameters.particles"));
+  long const begin = total * session.rank() / session.size();
+  long const end = total * (session.rank() + 1) / session.size();
 
   explicit FakeDem(Session& s) : session(s) {
-    long const total = long(number("parameters.particles"));
-    long const begin = total * s.rank() / s.size(), end = total * (s.rank() + 1) / s.size();
     x.resize(3, end - begin);
     for (long i = begin; i < end; ++i) {  // scattered: particles of every rank meet every cell
       Eigen::Array3d const share = i * Eigen::Array3d(0.8191725134, 0.6710436067, 0.5497004779);
@@ -80,6 +81,14 @@ struct FakeDem : ParticleEngine {
     for (Eigen::Matrix3Xd* column : {&x, &v, &impulse, &travel})
       column->conservativeResize(3, left);
     now.resize(left);
+  }
+  bool passes_state() const override { return !fault(session, "no_state"); }
+  void pass(State& state) override {
+    for (auto& [name, column] :
+         {std::pair("x", &x), {"v", &v}, {"impulse", &impulse}, {"travel", &travel}})
+      state.pass_part(name, column->data(), 3 * begin, column->size());
+    auto memory = now["memory"];
+    state.pass_part("memory", memory.data(), memory.rows() * begin, memory.size());
   }
   std::optional<Vec3> received_impulse() const override { return received; }
 };

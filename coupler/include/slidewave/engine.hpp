@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "slidewave/state.hpp"
 #include "slidewave/table.hpp"
 
 namespace slidewave {
@@ -53,7 +54,12 @@ class Engine {
   /// Own history columns after the last advance; always the same names in the same order.
   virtual std::vector<Quantity> quantities() const { return {}; }
   virtual std::vector<Feature> features() const { return {}; }
-  virtual void checkpoint(std::string const& /*directory*/) {}
+  /// Whether pass() gives everything of the engine that lives across windows; without it a run has
+  /// no checkpoints.
+  virtual bool passes_state() const { return false; }
+  /// At the end of a window into a checkpoint, or out of one before the first window of a run that
+  /// goes on. All ranks together.
+  virtual void pass(State& /*state*/) {}
 };
 
 /// A fluid: continuum on a mesh. Calls come in the order below, once a window. All MPI of the

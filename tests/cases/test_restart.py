@@ -1,0 +1,156 @@
+"""Restarts with both real engines: from a checkpoint, and after kill -9 at random moments, a run comes
+to the end of the run that was left alone, every row of history.csv and every bit of the state (fields,
+old times, particles, contacts, ledger) the same. SLIDEWAVE_KILLS: how often to kill (default 2);
+SLIDEWAVE_END: end time of the slide [s] (default 0.8; 16 is through the impact)."""
+
+import json
+import os
+import random
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+from launch import results
+from launch.places import ROOT
+
+SPHERE = ("settling_sphere", "--set", "case.end_time=0.06", "--set", "output.interval=0.01",
+          "--set", "checkpoint.windows=40", "--set", "checkpoint.keep=99")
+END = float(os.environ.get("SLIDEWAVE_END", "0.8"))
+SLIDE = ("vajont_east", "--set", f"case.end_time={END:g}", "--set", "output.interval=0.4",
+         "--set", "checkpoint.windows=20", "--set", "checkpoint.keep=999")
+
+
+def slidewave(*words):
+    return subprocess.Popen([sys.executable, "-m", "launch", *map(str, words)], cwd=ROOT,
+                            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+
+
+def solvers(directory):
+    """Process ids of the two programs that run in a directory."""
+    found = []
+    for entry in Path("/proc").glob("[0-9]*"):
+        try:
+            words = (entry / "cmdline").read_bytes().decode().split("\0")
+        except OSError:
+            continue
+        if Path(words[0]).name in ("slidewave_foam", "slidewave_dem") and str(directory) in words:
+            found.append(int(entry.name))
+    return sorted(found)
+
+
+class Restart(unittest.TestCase):
+    def setUp(self):
+        holder = tempfile.TemporaryDirectory()
+        self.addCleanup(holder.cleanup)
+        self.place = Path(holder.name).resolve()
+
+    def run_case(self, case, name, *more):
+        """Runs to the end; gives the directory and the output."""
+        out = self.place / name
+        job = slidewave("run", *case, "--out", out, *more)
+        text = job.communicate(timeout=600)[0]
+        self.assertEqual(results.read_summary(out).get("status"), "completed", text)
+        return out, text
+
+    def whole(self, case, *more):
+        out, _ = self.run_case(case, "whole", *more)
+        self.windows = sorted(p.name for p in (out / "checkpoints").iterdir())
+        self.assertGreater(len(self.windows), 1)
+        return out
+
+    def same(self, one, other):
+        self.assertEqual((one / "history.csv").read_text(), (other / "history.csv").read_text())
+        for window in self.windows:
+            pieces = [json.loads((d / "checkpoints" / window / "manifest.json").read_text())["pieces"]
+                      for d in (one, other)]
+            self.assertEqual(pieces[0], pieces[1], window)
+
+    def again(self, whole, case, *more):
+        """A run that goes on from the first checkpoint."""
+        out = self.place / "again"
+        shutil.copytree(whole, out)
+        for window in self.windows[1:]:
+            shutil.rmtree(out / "checkpoints" / window)
+        _, text = self.run_case(case, "again", "--restart", *more)
+        self.assertIn(f"going on after window {int(self.windows[0])}", text)
+        return out, text
+
+    def test_settling_sphere(self):
+        whole = self.whole(SPHERE, "--ranks-fluid", "2", "--ranks-dem", "2")
+        self.same(whole, self.again(whole, SPHERE)[0])
+
+    def test_slide(self):
+        whole = self.whole(SLIDE, "--ranks-fluid", "2", "--ranks-dem", "2")
+        rows = results.read_history(whole)
+        self.assertGreater(abs(rows["ledger_z_kg_m_s"]).max(), 0, "the ledger is to hold something")
+        self.same(whole, self.again(whole, SLIDE)[0])
+
+    def test_other_ranks(self):
+        whole = self.whole(SPHERE, "--ranks-fluid", "2", "--ranks-dem", "1")
+        for fluid, dem in ((1, 2), (3, 1)):
+            out, text = self.again(whole, SPHERE, "--ranks-fluid", fluid, "--ranks-dem", dem)
+            self.assertIn("not bit for bit", text)
+            one, two = results.read_history(whole), results.read_history(out)
+            for name in ("sphere_vz_m_s", "sphere_z_m", "water_volume_m3"):
+                self.assertLess(abs(one[name] / two[name] - 1)[1:].max(), 1e-6, name)
+            self.assertLess(results.read_summary(out)["budgets"]["momentum_defect"], 1e-10)
+            shutil.rmtree(out)
+
+    def killed(self, case, *more):
+        whole = self.whole(case, *more)
+        seconds = results.read_summary(whole)["wall_s"]
+        for seed in range(int(os.environ.get("SLIDEWAVE_KILLS", "2"))):
+            out = self.place / f"killed{seed}"
+            chance, kills = random.Random(seed), 0
+            for attempt in range(9):
+                job = slidewave("run", *case, "--out", out, *(["--restart"] if attempt else more))
+                kills += self.strike(job, out, chance.uniform(0.2, 1.0) * seconds) if attempt < 2 else 0
+                text = job.communicate(timeout=600)[0]
+                if results.read_summary(out).get("status") == "completed":
+                    break
+                self.assertNotEqual(job.returncode, 0)
+            self.assertGreater(kills, 0)
+            self.assertEqual(results.read_summary(out)["status"], "completed", text)
+            self.same(whole, out)
+
+    def strike(self, job, directory, after_s):
+        """kill -9 of one process, so long after the programs began. Gives how many were hit."""
+        while job.poll() is None and not solvers(directory):
+            time.sleep(0.02)
+        end = time.monotonic() + after_s
+        while job.poll() is None and time.monotonic() < end:
+            time.sleep(0.02)
+        there = solvers(directory)
+        if not there:
+            return 0
+        os.kill(random.Random(after_s).choice(there), signal.SIGKILL)
+        return 1
+
+    def test_killed_sphere(self):
+        self.killed(SPHERE)
+
+    def test_killed_slide(self):
+        self.killed(SLIDE, "--ranks-fluid", "2", "--ranks-dem", "2")
+
+    def test_refusals(self):
+        job = slidewave("run", *SPHERE, "--out", self.place / "none", "--restart")
+        self.assertIn("holds no run", job.communicate(timeout=60)[0])
+        self.assertEqual(job.returncode, 2)
+        whole = self.whole(SPHERE)
+        for words, told in ((("--set", "parameters.fluid_viscosity=0.3"), "parameters.fluid_viscosity"),
+                            (("--overwrite",), "--overwrite")):
+            job = slidewave("run", *SPHERE, "--out", whole, "--restart", *words)
+            self.assertIn(told, job.communicate(timeout=60)[0])
+            self.assertEqual(job.returncode, 2)
+        _, text = self.run_case((*SPHERE, "--set", "case.end_time=0.07"), "whole", "--restart")
+        self.assertAlmostEqual(results.read_history(whole)["time_s"][-1], 0.07)
+        self.assertIn("case.toml has changed", text)
+
+
+if __name__ == "__main__":
+    unittest.main()
