@@ -10,17 +10,17 @@
 #include "comm.h"
 #include "domain.h"
 #include "fix_contact_history.h"
+#include "fix_contact_memory.h"
 #include "fix_property_atom.h"
 #include "fix_slidewave.h"
-#include "force.h"
 #include "integrate.h"
 #include "lammps.h"
 #include "modify.h"
-#include "pair.h"
 #include "update.h"
 
 using LAMMPS_NS::Atom;
 using LAMMPS_NS::FixContactHistory;
+using LAMMPS_NS::FixContactMemory;
 using LAMMPS_NS::FixPropertyAtom;
 using LAMMPS_NS::FixSlidewave;
 using LAMMPS_NS::LAMMPS;
@@ -66,12 +66,17 @@ void put_forces_back(LAMMPS& lmp, FixPropertyAtom const& kept, FixSlidewave* kic
   }
 }
 
-std::vector<double> records(LAMMPS& lmp) {
+/// Contact histories go from neighbour lists to the atoms, and the lists are out of date.
+void take_histories(LAMMPS& lmp) {
   for (int k = 0; k < lmp.modify->nfix; ++k) {
-    if (auto* const history = dynamic_cast<FixContactHistory*>(lmp.modify->fix[k])) {
-      history->setup_pre_exchange();  // from neighbour lists to atoms
+    LAMMPS_NS::Fix* const fix = lmp.modify->fix[k];
+    if (dynamic_cast<FixContactHistory*>(fix) || dynamic_cast<FixContactMemory*>(fix)) {
+      fix->setup_pre_exchange();
     }
   }
+}
+
+std::vector<double> records(LAMMPS& lmp) {
   // As large as LIGGGHTS' own buffer for one atom, several times over.
   std::vector<double> one(65536 + 16 * static_cast<std::size_t>(lmp.comm->maxexchange_fix));
   std::vector<double> all;
@@ -158,6 +163,7 @@ void pass_atoms(LAMMPS& lmp, State& state, FixSlidewave* kick) {
         "the checkpoint's particles carry other values than this scene's: the "
         "script has changed");
   }
+  take_histories(lmp);  // loading: those of the script's atoms, which must not come back
   std::vector<double> all;
   if (state.saving()) {
     keep_forces(lmp, *kept, kick);
@@ -178,11 +184,6 @@ void pass_atoms(LAMMPS& lmp, State& state, FixSlidewave* kick) {
   if (lmp.atom->natoms != total) {
     throw std::runtime_error("the checkpoint has " + std::to_string(total) + " particles, " +
                              std::to_string(lmp.atom->natoms) + " of them found a rank");
-  }
-  int dimension = 0;
-  if (auto* const more_recent = static_cast<int*>(
-          lmp.force->pair ? lmp.force->pair->extract("computeflag", dimension) : nullptr)) {
-    *more_recent = 0;  // contact histories are with the atoms, not in neighbour lists
   }
   set_up_again(lmp);
   put_forces_back(lmp, *kept, kick);

@@ -41,9 +41,10 @@ void refuse_in_script(char const* command) {
                         2);
 }
 
-// All ranks append to one file; lines reach it as they are finished.
+// All ranks append to one file; lines reach it as they are finished. A run that may go on from a
+// checkpoint keeps what the log holds.
 void send_screen_to(fs::path const& log, MPI_Comm comm, int rank) {
-  if (rank == 0) {
+  if (rank == 0 && !fs::exists(log.parent_path() / "checkpoints")) {
     std::fclose(std::fopen(log.c_str(), "w"));
   }
   MPI_Barrier(comm);

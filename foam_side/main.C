@@ -12,11 +12,13 @@ namespace {
 
 using namespace slidewave;
 
-// OpenFOAM writes to stdout; the user's terminal belongs to Session::say.
+// OpenFOAM writes to stdout; the user's terminal belongs to Session::say. A run that may go on from
+// a checkpoint keeps what the log holds.
 void sendOutputTo(std::filesystem::path const& log, MPI_Comm comm) {
   int rank = 0;
   MPI_Comm_rank(comm, &rank);
-  if (rank == 0) std::freopen(log.c_str(), "w", stdout);
+  bool const goes_on = std::filesystem::exists(log.parent_path() / "checkpoints");
+  if (rank == 0) std::freopen(log.c_str(), goes_on ? "a" : "w", stdout);
   MPI_Barrier(comm);
   if (rank != 0) std::freopen(log.c_str(), "a", stdout);
 }

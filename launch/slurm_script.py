@@ -1,7 +1,8 @@
 """Text of a job script: one MPMD run of both programs under Slurm (job.slurm) or PBS (job.pbs).
 
 Only the head differs. The body forwards a warning before the time limit to both programs, which
-then leave at the end of the window. There are no checkpoints yet, so nothing is resubmitted.
+write a checkpoint at the end of the window and leave; the job then submits itself again and goes on
+from there, until the end time is reached.
 """
 
 from __future__ import annotations
@@ -18,7 +19,8 @@ from launch.ranks import sides
 @dataclass
 class Job:
     """What a job asks for: name, nodes, tasks of all nodes, time limit and warning before it [s],
-    memory a node, partition or queue and account (None: the site's own), launcher (mpirun, srun)."""
+    memory a node, partition or queue and account (None: the site's own), launcher (mpirun, srun),
+    whether it goes on in another job where its time was too short."""
 
     name: str
     nodes: int
@@ -29,6 +31,7 @@ class Job:
     partition: str | None = None
     account: str | None = None
     launcher: str = "mpirun"
+    resubmit: bool = True
 
     @property
     def walltime(self) -> str:
@@ -39,8 +42,8 @@ class Job:
 
 BODY = """
 # Written by slidewave submit. This file and the directory below are all that the job needs.
-# There are no checkpoints yet: a job that meets its time limit ends at a window's end with status
-# "stopped" and is not resubmitted; give it more --time and submit again.
+# Before the time limit both programs write a checkpoint and leave; the job then submits itself again
+# and goes on from there. Submitted by hand it goes on too.
 
 # ---- paths and modules of the cluster: change them here --------------------------------------
 MODULES=()  # for example: MODULES=(openmpi/4.1 openfoam/1912)
@@ -51,14 +54,18 @@ PYTHON=@PYTHON@
 LAUNCHER=@LAUNCHER@  # mpirun, or srun where Slurm brings PMIx
 MPIRUN=(mpirun --bind-to none --mca mpi_yield_when_idle 1)
 SRUN=(srun --mpi=pmix --ntasks=@TASKS@)
-@WARNING_LINE@
+RESUBMIT=(@RESUBMIT@)  # empty: this job is the last one
+TIME_S=@TIME@
+WARNING_S=@WARNING@  # before the limit: longer than a window and its checkpoint take
 export WM_PROJECT_DIR=${WM_PROJECT_DIR:-/usr/share/openfoam}
 # -----------------------------------------------------------------------------------------------
 
 if [ ${#MODULES[@]} -gt 0 ]; then module load "${MODULES[@]}"; fi
 if [ "$(id -u)" = 0 ]; then MPIRUN+=(--allow-run-as-root); fi
-if [ -e "$RUN/history.csv" ]; then
-  echo "slidewave: $RUN holds a result; there is no restart yet, prepare another directory" >&2
+newest() { find "$RUN/checkpoints" -name manifest.json 2>/dev/null | sort | tail -n 1; }
+begun_at=$(newest)
+if [ -e "$RUN/history.csv" ] && [ -z "$begun_at" ]; then
+  echo "slidewave: $RUN holds a result and no checkpoint to go on from: prepare another directory" >&2
   exit 2
 fi
 
@@ -74,10 +81,12 @@ child=$!
 
 # A trap interrupts the wait: then wait again. 127: already collected, its status is known.
 again=true
+asked=false
 status=1
 # shellcheck disable=SC2317 # called by the traps
 forward() {
   again=true
+  asked=true
   echo "slidewave: asked to stop at $(date +%T)"
   kill -USR1 "$child" 2>/dev/null
 }
@@ -93,12 +102,23 @@ done
 if [ -x "$PYTHON" ] && [ -d "$SOURCE/launch" ] && [ -f "$RUN/history.csv" ]; then
   (cd "$SOURCE" && "$PYTHON" -m launch report "$RUN") || echo "slidewave: no report was made"
 fi
+
+# Left for the time limit (schedulers may warn a minute early), and further than it began: go on.
+state=$(sed -n 's/^ *"status": *"\\([a-z]*\\)".*/\\1/p' "$RUN/summary.json" 2>/dev/null | head -n 1)
+if $asked && [ "$state" = stopped ] && [ "$(newest)" != "$begun_at" ] && [ ${#RESUBMIT[@]} -gt 0 ] &&
+  [ "$SECONDS" -ge $((TIME_S - WARNING_S - 90)) ]; then
+  if next=$("${RESUBMIT[@]}" "$RUN/@SCRIPT@"); then
+    echo "slidewave: goes on as job $next"
+  else
+    echo "slidewave: could not be submitted again; by hand: ${RESUBMIT[*]} $RUN/@SCRIPT@" >&2
+    status=1
+  fi
+fi
 exit "$status"
 """
 
 # PBS gives no warning itself.
-WARNING_LINE = "WARNING_S=@WARNING@  # before the limit: longer than a window takes\n"
-TIMER = """(sleep "$((@TIME@ - WARNING_S))" && kill -USR1 "$$") >/dev/null 2>&1 &
+TIMER = """(sleep "$((TIME_S - WARNING_S))" && kill -USR1 "$$") >/dev/null 2>&1 &
 timer=$!"""
 
 
@@ -134,13 +154,14 @@ def _script(mark: str, head: list[str], job: Job, ready: Prepared, timer: bool) 
         first += ranks
     values = {"RUN": ready.directory, "BIN": places.program(""), "SOURCE": places.ROOT,
               "PYTHON": "/usr/bin/python3"}
-    body = BODY.replace("@WARNING_LINE@\n", WARNING_LINE if timer else "")
-    body = body.replace("@TIMER@\n", TIMER + "\n" if timer else "")
+    body = BODY.replace("@TIMER@\n", TIMER + "\n" if timer else "")
     body = body.replace("@TIMER_END@\n", 'kill "$timer" 2>/dev/null\n' if timer else "")
     for name, value in values.items():
         body = body.replace(f"@{name}@", shlex.quote(str(value)))
     for name, value in {"LAUNCHER": job.launcher if not timer else "mpirun", "TASKS": job.tasks,
                         "WARNING": job.warning_s, "TIME": job.time_s,
+                        "RESUBMIT": ("qsub" if timer else "sbatch --parsable") if job.resubmit else "",
+                        "SCRIPT": "job.pbs" if timer else "job.slurm",
                         "PROGRAMS": " ".join(lines), "SIDES": " : ".join(words)}.items():
         body = body.replace(f"@{name}@", str(value))
     return "\n".join(["#!/bin/bash", *(f"{mark} {entry}" for entry in head)]) + "\n" + body

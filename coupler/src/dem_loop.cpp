@@ -2,6 +2,7 @@
 #include <cmath>
 #include <utility>
 
+#include "crash.hpp"
 #include "outbox.hpp"
 #include "relay.hpp"
 #include "reporter.hpp"
@@ -167,6 +168,7 @@ int run(Session& session, ParticleEngine& engine) {
   try {
     Agreed const agreed = handshake(session.impl(), {{}, engine.features(), engine.bounds()});
     watch_signals();  // again: an engine may have taken them
+    report_crashes_again();
     check_particle_needs(agreed.models, engine.extras());
     DemLoop(session.impl(), engine, agreed).run();
     session.leave();

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "closures.hpp"
+#include "crash.hpp"
 #include "inbox.hpp"
 #include "relay.hpp"
 #include "reporter.hpp"
@@ -269,6 +270,7 @@ int run(Session& session, FluidEngine& engine) {
     Agreed const agreed =
         handshake(session.impl(), {engine.samples(), engine.features(), engine.bounds()});
     watch_signals();  // again: an engine may have taken them
+    report_crashes_again();
     FluidLoop(session.impl(), engine, agreed).run();
     session.leave();
     return 0;

@@ -2,6 +2,7 @@
 
 #include <thread>
 
+#include "crash.hpp"
 #include "session_impl.hpp"
 #include "signals.hpp"
 
@@ -55,6 +56,7 @@ Session::Impl::Impl(Role as, std::filesystem::path const& directory)
       world(join(as, scene, waiter, failure)),
       agreement(world, waiter, as) {
   failure.rename(fmt::format("{} rank {} of {}", name_of(role), world.rank, world.size));
+  report_crashes(std::filesystem::absolute(directory) / "failure.txt", failure.who());
   waiter.speaks(is_root());
   watch_signals();  // a wish to stop during set-up is kept for the first window
 }

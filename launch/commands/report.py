@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import signal
 from pathlib import Path
 
 from launch import places, process, results
@@ -45,7 +46,7 @@ def finish(directory: Path, extra: dict, status: int | None) -> dict:
     if status or (status is None and "status" not in summary):
         summary["status"] = "failed"
         summary["reason"] = (failure.read_text().strip() if failure.is_file()
-                             else f"the programs ended with status {status}")
+                             else ending(status))
     summary.setdefault("status", "completed")
     history = results.read_history(directory)
     summary["quantities"] = results.quantities(history)
@@ -53,6 +54,15 @@ def finish(directory: Path, extra: dict, status: int | None) -> dict:
     summary |= extra
     results.write_summary(directory, summary)
     return summary
+
+
+def ending(status: int | None) -> str:
+    """How the programs ended, where they could not tell: in words."""
+    if status is None or not 128 < status < 128 + signal.NSIG:
+        return f"the programs ended with status {status}"
+    name = signal.Signals(status - 128).name
+    why = " (by hand, or by the system for lack of memory)" if name == "SIGKILL" else ""
+    return f"a program was ended by {name}{why}"
 
 
 def build(directory: Path) -> None:

@@ -1,9 +1,9 @@
 """Prepares a case and hands it to a cluster: writes DIR/job.slurm (and DIR/job.pbs, a template),
 submits with sbatch where there is one, and prints how to watch the job.
 
-Before the time limit the job is warned (--warning) and both programs leave at the end of the
-window, with history, summary and report as far as they came. There are no checkpoints yet: a job
-that meets its limit is not resubmitted and cannot go on; ask for enough --time.
+Before the time limit the job is warned (--warning): both programs write a checkpoint at the end of
+the window and leave, with history, summary and report as far as they came. The job then submits
+itself again and goes on from the checkpoint, until the end time is reached (--no-resubmit: never).
 """
 
 from __future__ import annotations
@@ -38,6 +38,8 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--account", metavar="NAME", type=word, help="account to charge")
     parser.add_argument("--launcher", choices=("mpirun", "srun"), default="mpirun",
                         help="what starts the programs: mpirun (default), or srun --multi-prog")
+    parser.add_argument("--no-resubmit", action="store_true",
+                        help="one job: what its time does not suffice for can be submitted by hand")
     parser.add_argument("--dry-run", action="store_true", help="write everything, submit nothing")
 
 
@@ -77,7 +79,8 @@ def main(options: argparse.Namespace) -> int:
     if nodes < options.nodes:
         say(f"{tasks} ranks in all: {nodes} nodes are enough (--ranks-fluid, --ranks-dem for more)")
     job = slurm_script.Job(name, nodes, tasks, options.time, options.warning,
-                           options.memory, options.partition, options.account, options.launcher)
+                           options.memory, options.partition, options.account, options.launcher,
+                           not options.no_resubmit)
     script = ready.directory / "job.slurm"
     script.write_text(slurm_script.slurm(job, ready))
     script.with_suffix(".pbs").write_text(slurm_script.pbs(job, ready))

@@ -83,6 +83,30 @@ class Slurm(ScratchCase):
     def test_time_limit(self) -> None:
         self.left(self.submit(WAIT, WAIT, "--time", "0:02:00", "--warning", "60"), 110)
 
+    @unittest.skipUnless("SLIDEWAVE_SLOW" in os.environ, "some minutes long")
+    def test_goes_on_after_the_time_limit(self) -> None:
+        """Both real programs: the limit, a checkpoint, another job, the answer of an uninterrupted run."""
+        words = ("--variant", "uniform", "--set", "case.end_time=1.5", "--set", "output.interval=0.5", "--force",
+                 "--ranks-fluid", "1", "--ranks-dem", "1")
+        self.assertEqual(self.slidewave("run", self.case, "--out", self.place / "whole", *words)[0], 1)  # a target
+        self.out = self.place / "run"
+        with mock.patch.dict(os.environ, {"SLURM_CONF": self.node.environment["SLURM_CONF"]}):
+            status, text, err = self.slidewave("submit", self.case, "--out", self.out, *words, "--time", "0:02:00",
+                                               "--warning", "60")
+        self.assertEqual(status, 0, text + err)
+        job = re.search(r"submitted as job (\d+)", text).group(1)
+        jobs = 1
+        while jobs < 9:
+            code, log = self.ended(job, 200)
+            self.assertEqual(code, "0:0", log)
+            found = re.search(r"goes on as job (\d+)", log)
+            if not found:
+                break
+            job, jobs = found.group(1), jobs + 1
+        self.assertGreater(jobs, 1, "the run was over before its limit: make it longer")
+        self.assertIn("going on after window", log)
+        self.assertEqual((self.out / "history.csv").read_text(), (self.place / "whole/history.csv").read_text())
+
     def left(self, job: str, patience_s: float) -> None:
         code, log = self.ended(job, patience_s)
         self.assertEqual(code, "0:0", log)

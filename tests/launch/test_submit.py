@@ -13,6 +13,11 @@ from tests.launch.scratch import ScratchCase
 
 WAIT = ("trap 'echo asked >> \"$1/asked\"; exit 0' USR1; touch \"$1/up\"\n"
         "i=0; while [ $i -lt 600 ]; do sleep 0.1; i=$((i+1)); done; exit 3")
+LEAVES_A_CHECKPOINT = ("trap 'mkdir -p \"$1/checkpoints/00000007\"; "
+                       "touch \"$1/checkpoints/00000007/manifest.json\"; "
+                       "printf \"window,time_s,sphere_vz_m_s\\n0,0,0\\n\" >\"$1/history.csv\"; "
+                       "printf \"{\\n  \\\"status\\\": \\\"stopped\\\"\\n}\" >\"$1/summary.json\"; exit 0' USR1\n"
+                       "i=0; while [ $i -lt 600 ]; do sleep 0.1; i=$((i+1)); done; exit 3")
 SBATCH = "echo \"$@\" > \"$(dirname \"$0\")/called\"; cat \"$2\" > /dev/null && echo '4711;cluster'"
 
 
@@ -51,7 +56,8 @@ class Submit(ScratchCase):
             self.assertIn(f"#SBATCH {line}\n", script)
         self.assertIn('-np 2 "$BIN/slidewave_uniform" "$RUN" : -np 1 "$BIN/slidewave_dem" "$RUN"', script)
         self.assertIn('"0-1 $BIN/slidewave_uniform $RUN" "2 $BIN/slidewave_dem $RUN"', script)
-        self.assertIn("no checkpoints yet", script)
+        self.assertIn("RESUBMIT=(sbatch --parsable)", script)
+        self.assertIn("TIME_S=93784\n", script)
         self.assertNotIn("@R", script)
         pbs = self.script("job.pbs")
         for line in ("-l select=2:ncpus=2:mpiprocs=2:mem=8gb", "-l walltime=26:03:04", "-q short"):
@@ -114,6 +120,33 @@ class Submit(ScratchCase):
         self.assertEqual(child.returncode, 0, text)
         self.assertIn("asked to stop", text)
         self.assertEqual((self.out / "asked").read_text(), "asked\nasked\n")
+
+    def test_goes_on_in_another_job(self) -> None:
+        """Stopped with a new checkpoint: submitted again, from there; not where nothing was gained."""
+        self.program("slidewave_uniform", WAIT)
+        self.program("slidewave_dem", LEAVES_A_CHECKPOINT)
+        self.program("sbatch", SBATCH)
+        self.submit("--dry-run", "--ranks-fluid", "1", "--time", "0:02:00", "--warning", "60")
+        self.allow_more_ranks_than_cores()
+        for number in (1, 2):
+            child = self.run_script()
+            self.await_file(self.out / "up")
+            time.sleep(0.5)
+            child.send_signal(signal.SIGUSR1)
+            text = child.communicate(timeout=30)[0]
+            self.assertEqual(child.returncode, 0, text)
+            self.assertEqual((self.bin / "called").exists(), number == 1, text)
+            if number == 1:
+                self.assertIn("goes on as job 4711", text)
+                self.assertEqual((self.bin / "called").read_text(), f"--parsable {self.out / 'job.slurm'}\n")
+                (self.bin / "called").unlink()
+                (self.out / "up").unlink()
+
+    def test_no_resubmit(self) -> None:
+        self.submit("--dry-run", "--no-resubmit")
+        self.assertIn("RESUBMIT=()", self.script())
+        self.submit("--dry-run", "--overwrite")
+        self.assertIn("RESUBMIT=(qsub)", self.script("job.pbs"))
 
     def test_status_and_report(self) -> None:
         for status in (0, 1):
