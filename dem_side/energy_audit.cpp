@@ -98,6 +98,32 @@ void EnergyAudit::close(Books const& books) {
   drift_ = most_J_ > 0 ? (now_J - start_J_) / most_J_ : 0.0;
 }
 
+void EnergyAudit::pass(State& state, int rank) {
+  Dissipated& lost = *OwnPairs::lost();
+  WallBooks& walls = wall_books();
+  double work_J = fluid_ ? fluid_->work_J() : 0.0;
+  for (auto const& [name, value] : {std::pair("pairs.friction_J", &lost.friction),
+                                    {"pairs.damping_J", &lost.damping},
+                                    {"pairs.rolling_J", &lost.rolling},
+                                    {"walls.normal_J", &walls.stored.normal},
+                                    {"walls.tangential_J", &walls.stored.tangential},
+                                    {"walls.rolling_J", &walls.stored.rolling},
+                                    {"walls.damping_J", &walls.damping},
+                                    {"walls.work_J", &walls.work},
+                                    {"fluid.work_J", &work_J}}) {
+    state.pass_share(std::string("audit.") + name, value, 1, rank);
+  }
+  if (fluid_) {
+    fluid_->set_work(work_J);
+  }
+  state.pass("audit.started", started_);
+  state.pass("audit.start", reinterpret_cast<double*>(&start_), sizeof(Books) / sizeof(double));
+  state.pass("audit.particles", particles_);
+  state.pass("audit.start_J", start_J_);
+  state.pass("audit.most_J", most_J_);
+  state.pass("audit.drift", drift_);
+}
+
 std::vector<Quantity> EnergyAudit::observe() {
   bool const known = OwnPairs::current()->ready();
   Books books;

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "slidewave/engine.hpp"
+#include "slidewave/state.hpp"
 
 namespace LAMMPS_NS {
 class FixFluidWork;
@@ -46,6 +47,8 @@ class EnergyAudit {
   /// Collective.
   std::vector<Quantity> observe();
   double drift() const { return drift_; }
+  /// With the integrator set up: all that counts from the start. `rank` of this process.
+  void pass(State& state, int rank);
   bool started() const { return started_; }
 
  private:

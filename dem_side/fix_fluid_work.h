@@ -19,6 +19,7 @@ class FixFluidWork : public Fix {
   void post_force(int) override { add(); }
   /// Of this rank's atoms since the fix was made [J].
   double work_J() const { return work_J_; }
+  void set_work(double joule) { work_J_ = joule; }
 
  private:
   void add();

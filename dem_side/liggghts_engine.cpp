@@ -359,6 +359,9 @@ void LiggghtsEngine::pass(State& state) {
   }
   loop_->pass(state);
   pass_atoms(*lmp_, state, kick_);
+  if (audit_) {
+    audit_->pass(state, session_.rank());
+  }
 }
 
 // A run that goes on must not empty the files that the one before wrote.

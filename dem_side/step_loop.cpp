@@ -72,7 +72,7 @@ void StepLoop::pass(State& state) {
   LAMMPS_NS::Update& update = *lmp_.update;
   double dt_s = dt_s_;
   state.pass("steps.dt_s", dt_s);
-  if (!running_) {
+  if (!state.saving()) {
     update.dt = dt_s;
     update.timestep_set = true;
     update.whichflag = 1;

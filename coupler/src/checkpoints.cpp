@@ -247,6 +247,11 @@ void Checkpoints::remove_older(long newest) const {
       fs::remove_all(Manifest::folder(directory_, window));
     }
   }
+  for (auto const& entry : fs::directory_iterator(Manifest::folder(directory_))) {
+    if (!fs::exists(entry.path() / "manifest.json")) {
+      fs::remove_all(entry.path());  // a crash in the middle of writing left it
+    }
+  }
 }
 
 }  // namespace slidewave

@@ -137,6 +137,20 @@ void State::pass_part(std::string const& name, double* values, long begin, long 
   std::copy_n(all.begin() + begin, count, values);
 }
 
+void State::pass_share(std::string const& name, double* values, long count, int rank) {
+  if (!regrouped()) {
+    pass(name, values, count);
+    return;
+  }
+  std::fill_n(values, count, 0.0);
+  for (int piece = 0; rank == 0 && piece < pieces(); ++piece) {
+    std::vector<double> const part = numbers(name, piece);
+    for (long k = 0; k < count && k < static_cast<long>(part.size()); ++k) {
+      values[k] += part[static_cast<std::size_t>(k)];
+    }
+  }
+}
+
 bool State::has(std::string const& name, int piece) const {
   return !saving() && impl_->in.at(static_cast<std::size_t>(piece)).has(name);
 }

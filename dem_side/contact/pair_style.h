@@ -50,6 +50,9 @@ class OwnPairs {
   Elastic elastic() const { return elastic_(law_, pairs_); }
   Dissipated const& dissipated() const { return lost_; }
 
+  /// Heat so far of the pair style in use, for a checkpoint; null without one.
+  static Dissipated* lost() { return current_ ? &current_->lost_ : nullptr; }
+
   /// The pair style in use, or null: the scene uses a packaged law.
   static OwnPairs const* current() { return current_; }
 

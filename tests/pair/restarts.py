@@ -168,9 +168,10 @@ def torn(options):
         assert "going on after window 30" in run.output, run.output
         same(whole, run)
     run = Again(options, whole, "no_manifest").prepare(
-        lambda d: (folder(d, 40) / "manifest.json").unlink()).go().must_pass()
+        lambda d: [(folder(d, 40) / "manifest.json").unlink(), folder(d, 33).mkdir()]).go().must_pass()
     assert "going on after window 30" in run.output, run.output
     same(whole, run)
+    assert len(list((run.directory / "checkpoints").iterdir())) == 3, "remains are removed"
 
     def all_torn(directory):
         for n in (20, 30, 40):
