@@ -166,12 +166,4 @@ void FieldState::pass(surfaceScalarField& field) {
   each([&](label face, scalar& value) { value = faces_[face] < 0 ? -all[face] : all[face]; });
 }
 
-void FieldState::pass(std::string const& name, vectorField& cells) {
-  if (state_.regrouped()) {
-    regroup(name, cells, cells_, "mesh.cells");
-  } else {
-    state_.pass(name, doubles(cells), 3L * cells.size());
-  }
-}
-
 }  // namespace slidewave::foam

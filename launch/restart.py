@@ -75,7 +75,7 @@ def _changes(case: Case, kept: Case, directory: Path) -> list[str]:
     """Keys whose value in the case differs from the run's and may."""
     changed = []
     for key, value in schema.leaves({k: v for k, v in case.data.items() if k != "target"}):
-        if kept.get(key) == value:
+        if kept.get(key) == value or (key, value) == ("coupling.regime", "auto"):  # chosen when prepared
             continue
         if not key.startswith(FREE):
             raise InputError(directory / "case.toml", key, kept.get(key),

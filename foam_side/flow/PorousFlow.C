@@ -222,8 +222,6 @@ void PorousFlow::pass(FieldState& fields) {
   fields.pass(phi_);
   fields.pass(F_);
   fields.pass(rate_);
-  if (keepVelocity_) fields.pass("meanU", meanU_);
-  if (keepGradient_) fields.pass("meanGradP", meanGradP_);
   State& state = fields.state();
   stepSize_.pass(state);
   state.pass("flow.steps", steps_);

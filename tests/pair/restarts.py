@@ -96,8 +96,8 @@ def bit_for_bit(options):
 
 
 def one_way_and_dry(options):
-    """Without a ledger, and without a fluid."""
-    for name, values in (("one_way", {"reaction": "one_way"}),):
+    """Without a ledger, in the stiff regime, and without a fluid."""
+    for name, values in (("one_way", {"reaction": "one_way"}), ("stiff", {"regime": "stiff"})):
         whole = first(options, name, **values)
         same(whole, Again(options, whole, name + "_again").prepare(drop(40)).go().must_pass())
     dry = Run(options, "dry", fluid=0, dem=2, case=text(fluid_engine="none")).must_pass()
