@@ -59,8 +59,8 @@ class State {
   /// those from `begin` on, counted over all ranks, whichever ranks saved them.
   void pass_part(std::string const& name, double* values, long begin, long count);
 
-  /// Numbers of which all ranks' sum counts: on other ranks than saved them the first one (`rank` 0)
-  /// takes the whole, the others nothing.
+  /// Numbers of which all ranks' sum counts: on other ranks than saved them the first one (`rank`
+  /// 0) takes the whole, the others nothing.
   void pass_share(std::string const& name, double* values, long count, int rank);
 
   bool has(std::string const& name, int piece = 0) const;
