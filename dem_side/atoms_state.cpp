@@ -142,7 +142,7 @@ void set_up_again(LAMMPS& lmp) {
 
 std::string fix_without_checkpoint(LAMMPS& lmp) {
   for (int k = 0; k < lmp.modify->nfix; ++k) {
-    std::string const style = lmp.modify->fix[k]->style;
+    std::string style = lmp.modify->fix[k]->style;
     for (char const* stateful : {"insert/", "move/mesh", "multisphere", "rigid", "deform", "ave/",
                                  "mesh/surface/stress/servo", "massflow/mesh", "continuum"}) {
       if (style.rfind(stateful, 0) == 0) {
