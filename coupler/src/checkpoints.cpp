@@ -157,6 +157,7 @@ void Checkpoints::load(Pass const& pass) {
     return;
   }
   std::vector<fs::path> pieces;
+  pieces.reserve(static_cast<std::size_t>(saved));
   for (int r = 0; r < saved; ++r) {
     pieces.push_back(folder / Manifest::piece_name(fluid, r));
   }

@@ -32,6 +32,7 @@ inline void pass_columns(State& state, std::string const& name, std::vector<Quan
 
 inline void pass_map(State& state, std::string const& name, std::map<std::string, double>& map) {
   std::vector<Quantity> entries;
+  entries.reserve(map.size());
   for (auto const& [key, value] : map) {
     entries.push_back({key, value});
   }
