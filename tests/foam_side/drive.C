@@ -63,6 +63,7 @@ int drive(std::filesystem::path const& directory) {
   Scene const scene(directory);
   foam::FoamEngine engine(scene, world.comm);
   bool const two_way = scene.text("coupling.reaction", "two_way") == "two_way";
+  bool const stiff = two_way && scene.text("coupling.regime", "mild") == "stiff";
   double const window_s = scene.number("coupling.window");
   long const windows = std::lround(scene.number("case.end_time") / window_s);
 
@@ -107,7 +108,10 @@ int drive(std::filesystem::path const& directory) {
     MatrixXd gradient = mean_velocity;
     for (Field const& field : fields) {
       MatrixXd values = MatrixXd::Zero(field.components, here.cols());
-      if (two_way || field.name != "mean_velocity") {
+      bool const kept = field.name == "drag_reaction"   ? stiff
+                        : field.name == "mean_velocity" ? two_way
+                                                        : true;
+      if (kept) {
         engine.sample(field.name, Table::Column(values.data(), values.rows(), values.cols()));
       }
       if (field.name == "mean_velocity") mean_velocity = values;
