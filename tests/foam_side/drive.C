@@ -76,7 +76,9 @@ int drive(std::filesystem::path const& directory) {
   }
   std::string header = "window,particle,x,y,z";
   std::vector<Field> const fields = engine.samples();
+  int components = 0;
   for (Field const& field : fields) {
+    components += field.components;
     for (int k = 0; k < field.components; ++k) {
       header += ',' + field.name + (field.components > 1 ? std::string(1, "xyz"[k]) : "");
     }
@@ -102,7 +104,7 @@ int drive(std::filesystem::path const& directory) {
     }
     engine.advance(window);
 
-    MatrixXd out = MatrixXd::Zero(13, all.cols());
+    MatrixXd out = MatrixXd::Zero(components, all.cols());
     int row = 0;
     MatrixXd mean_velocity = MatrixXd::Zero(3, here.cols());
     MatrixXd gradient = mean_velocity;
