@@ -5,15 +5,17 @@ from __future__ import annotations
 from launch import preflight, progress, scene_numbers
 from launch.case import Case
 
+ENGINES = ("liggghts",)  # those that gather what the stiff regime needs (ParticleEngine::extras)
 RESPONSE = "response of the drag in a window, K W/m"
 
 
 def choose(case: Case, ready: preflight.Prepared) -> None:
     """Puts "mild" or "stiff" in the place of "auto". What is not known is taken for mild; a fluid that
-    hardly feels its particles (a limit that is never bad) is mild too."""
+    hardly feels its particles (a limit that is never bad) is mild too. So is a particle engine that knows
+mild only: the check then refuses by number what is beyond it."""
     if case.get("coupling.regime") != "auto":
         return
-    coupled = case.get("fluid.engine") == "openfoam" and case.get("dem.engine") != "none"
+    coupled = case.get("fluid.engine") == "openfoam" and case.get("dem.engine") in ENGINES
     feels = case.get("coupling.reaction") == "two_way" and case.get("models.drag") != "none"
     rows = []
     if coupled and feels and case.get("models.pressure_gradient"):

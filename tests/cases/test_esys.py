@@ -76,7 +76,7 @@ class Esys(ScratchCase):
         toml = toml.replace("[observe.sphere]", "[observe.slide]").replace("sphere_vz_m_s", "slide_speed_m_s")
         (self.case / "case.toml").write_text("\n".join(x for x in toml.splitlines() if "start_height" not in x))
         words = ("--variant=two_way", "--set=case.end_time=0.13", "--set=parameters.dem_dt=5e-5", "--set=output.interval=0.13",
-                 "--force")
+                 "--set=coupling.regime=mild", "--force")
         expected = self.run_case("liggghts", *words)
         found = self.run_case("esys", *words, *ESYS)
         self.assertEqual(self.summary["particles"], 64)

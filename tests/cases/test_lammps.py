@@ -91,7 +91,8 @@ class Lammps(ScratchCase):
         (self.case / "case.toml").write_text(
             "\n".join(line for line in toml.splitlines() if "start_height" not in line))
         # The highest sphere of one column is observed.
-        words = ["--variant=two_way", "--set=case.end_time=0.05", "--set=observe.sphere.id=145", "--force"]
+        words = ["--variant=two_way", "--set=case.end_time=0.05", "--set=observe.sphere.id=145",
+                 "--set=coupling.regime=mild", "--force"]
         expected = self.run_case("liggghts", *words)
         found = self.run_case("lammps", *words, *LAMMPS)
         self.assertEqual(self.summary["particles"], 180)
