@@ -4,9 +4,9 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 #include <vector>
 
+#include "slidewave/particle_vtk.hpp"
 #include "slidewave/state.hpp"
 
 namespace LAMMPS_NS {
@@ -28,15 +28,10 @@ class Snapshots {
  private:
   void assign_layers(int layers);
 
-  struct Entry {
-    std::string file;
-    double time_s = 0;
-  };
-
   LAMMPS_NS::LAMMPS& lmp_;
   std::filesystem::path folder_;
   LAMMPS_NS::FixPropertyAtom* layer_ = nullptr;
-  std::vector<Entry> series_;
+  std::vector<ParticlePicture> series_;
 };
 
 }  // namespace slidewave::dem

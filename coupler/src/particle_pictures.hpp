@@ -4,11 +4,11 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 #include <unordered_map>
 #include <vector>
 
 #include "slidewave/particle_report.hpp"
+#include "slidewave/particle_vtk.hpp"
 
 namespace slidewave {
 
@@ -20,14 +20,7 @@ class ParticleReport::Pictures {
   void write_if_due(Table const& particles, long window, double time_s);
 
  private:
-  struct Entry {
-    std::string file;
-    double time_s = 0;
-  };
   void assign_layers(std::vector<double> const& rows);
-  void write_file(std::filesystem::path const& file, std::vector<double> const& rows,
-                  double time_s) const;
-  void write_series() const;
 
   MPI_Comm comm_;
   std::filesystem::path folder_;
@@ -35,7 +28,7 @@ class ParticleReport::Pictures {
   int layers_;
   double next_s_ = 0;
   std::unordered_map<long, int> layer_of_id_;  // on the first rank; empty without layers
-  std::vector<Entry> series_;
+  std::vector<ParticlePicture> series_;
 };
 
 }  // namespace slidewave
