@@ -160,7 +160,7 @@ std::vector<Quantity> EnergyAudit::observe() {
   if (rolls) {
     add("heat_rolling_J", books.rolling_heat);
   }
-  if (fluid_) {
+  if (with_fluid_) {
     add("work_fluid_J", books.fluid_work);
   }
   add("work_walls_J", books.wall_work);

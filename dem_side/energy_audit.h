@@ -35,7 +35,8 @@ class EnergyAudit {
   static constexpr double warning = 0.05;
   static constexpr double limit = 0.5;
 
-  explicit EnergyAudit(LAMMPS_NS::LAMMPS& lmp) : lmp_(lmp) {}
+  /// `with_fluid`: there is a fluid side, so that its work has a column from the first row on.
+  EnergyAudit(LAMMPS_NS::LAMMPS& lmp, bool with_fluid) : lmp_(lmp), with_fluid_(with_fluid) {}
 
   /// Why the books cannot close here (a packaged law, a fix whose work nobody counts); empty: they
   /// do.
@@ -74,6 +75,7 @@ class EnergyAudit {
   void close(Books const& books);
 
   LAMMPS_NS::LAMMPS& lmp_;
+  bool with_fluid_;
   LAMMPS_NS::FixFluidWork* fluid_ = nullptr;
   bool started_ = false;
   Books start_;

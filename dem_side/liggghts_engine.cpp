@@ -150,7 +150,7 @@ void LiggghtsEngine::set_up_scene() {
                                              static_cast<int>(scene.number("output.layers", 0.0)));
   }
   if (wants_audit(scene) && EnergyAudit::obstacle(*lmp_).empty()) {
-    audit_ = std::make_unique<EnergyAudit>(*lmp_);
+    audit_ = std::make_unique<EnergyAudit>(*lmp_, session_.has_partner());
   }
   observe();
 }

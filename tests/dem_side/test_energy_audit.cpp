@@ -26,7 +26,8 @@ struct Audited : SmallScene {
   EnergyAudit audit;
   std::map<std::string, double> value;
 
-  explicit Audited(std::string const& contacts, std::string const& floor_more = "") : audit(lmp()) {
+  explicit Audited(std::string const& contacts, std::string const& floor_more = "")
+      : audit(lmp(), true) {
     box("f f f");
     law(contacts);
     wall("floor", contacts, "primitive type 1 zplane 0" + floor_more);

@@ -45,7 +45,7 @@ TEST(Packing, KeepsItsEnergyAtRest) {
   scene.law(law);
   scene.wall("floor", law, "primitive type 1 zplane 0");
   scene.lines({"fix slow all viscous 3000", "run 5000", "unfix slow"});
-  EnergyAudit audit(scene.lmp());
+  EnergyAudit audit(scene.lmp(), false);
   scene.lines({"run 0"});
   audit.observe();
   std::map<std::string, double> start;

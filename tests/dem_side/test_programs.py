@@ -264,6 +264,17 @@ class Coupled(Folder):
             for one, other in zip(rows[0], row):
                 self.assertAlmostEqual(one, other, delta=1e-9 * abs(one))
 
+    def test_work_of_the_fluid_is_audited(self):
+        free = COUPLED_SETUP.replace("fix hold held freeze", "").replace(
+            "lattice sc", "pair_style gran model linear kn 1e5\npair_coeff * *\nlattice sc")
+        self.write(COUPLED_CASE, free)
+        done = coupled(self.dir, 1, 1)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        table = (self.dir / "history.csv").read_text().splitlines()
+        last = dict(zip(table[0].split(","), table[-1].split(",")))
+        self.assertGreater(float(last["work_fluid_J"]), float(last["energy_translation_J"]) / 2)
+        self.assertLess(abs(float(last["energy_drift"])), 1e-3)
+
     def test_errors_end_both_programs(self):
         for line, reason in (("nonsense here\n", "Unknown command"),
                              ("velocity all set 0 0 -900 units box\n", "Lost atoms"),
