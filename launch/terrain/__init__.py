@@ -4,6 +4,8 @@
 
     profile        polylines (a .toml file below the case: failure, ground, bank)
     cell_size      nominal height and width of a fluid cell [m]
+    slab_diameters width of the periodic slab over parameters.d_max, default 2; below that only with
+                   `model linear`, whose history tells periodic images apart
     seat_shift     raises the seat of the failure surface [m], default 0
     split_x        x of the middle of the particle engine's box: where two ranks meet [m]
     pack_fraction  solid fraction of the packing before it settles, default 0.59
@@ -23,7 +25,7 @@ from .profile import Section, read_section
 # Names of [parameters] that the geometry is made from, besides the scripts that use them.
 PARAMETERS = ("lake_level", "d_min", "d_max", "particle_density", "coarse_grain")
 
-KEYS = ("profile", "cell_size", "seat_shift", "split_x", "pack_fraction", "seed")
+KEYS = ("profile", "cell_size", "slab_diameters", "seat_shift", "split_x", "pack_fraction", "seed")
 
 
 def prepare(case, run_dir: Path, say) -> None:
@@ -31,7 +33,7 @@ def prepare(case, run_dir: Path, say) -> None:
     case's fluid/ and dem/. `say` prints a line of progress. Raises InputError for a bad profile."""
     _check(case)
     section = section_of(case)
-    width = 2.0 * case.parameters["d_max"]
+    width = slab_width(case)
     fluid, dem = run_dir / "fluid", run_dir / "dem"
     if fluid.is_dir():
         columns = mesh.make_columns(section, case.get("geometry.cell_size"))
@@ -42,7 +44,7 @@ def prepare(case, run_dir: Path, say) -> None:
         say(f"  fluid mesh     {columns.cells} cells in {len(columns.low)} columns")
     # Wider than the period: the triangles' rims then touch no particle.
     files.write_wall_stl(section, dem / "wall.stl", -0.5 * width, 1.5 * width, longest=4.0 * width)
-    slide.make(case, section, dem, say)
+    slide.make(case, section, width, dem, say)
 
 
 def section_of(case) -> Section:
@@ -54,6 +56,15 @@ def section_of(case) -> Section:
     except ValueError as error:
         raise InputError(case.file, "geometry.profile", case.get("geometry.profile"),
                          str(error)) from error
+
+
+def slab_width(case) -> float:
+    """Width of the periodic slab [m]."""
+    return case.get("geometry.slab_diameters", 2.0) * case.parameters["d_max"]
+
+
+def _is_number(value) -> bool:
+    return isinstance(value, (int, float)) and not isinstance(value, bool)
 
 
 def _check(case) -> None:
@@ -69,8 +80,12 @@ def _check(case) -> None:
         if case.get(f"geometry.{key}") is None:
             raise InputError(case.file, f"geometry.{key}", None, "is missing")
     size = case.get("geometry.cell_size")
-    if not isinstance(size, (int, float)) or isinstance(size, bool) or size <= 0:
+    if not _is_number(size) or size <= 0:
         raise InputError(case.file, "geometry.cell_size", size, "give a positive length in m")
+    slab = case.get("geometry.slab_diameters", 2.0)
+    if not _is_number(slab) or slab <= 1:
+        raise InputError(case.file, "geometry.slab_diameters", slab,
+                         "give a number above 1: a particle would touch its own image")
     if not 0 < case.parameters["d_min"] <= case.parameters["d_max"]:
         raise InputError(case.file, "parameters.d_min", case.parameters["d_min"],
                          "give 0 < d_min <= d_max")

@@ -25,15 +25,15 @@ PREPARE_BASAL_ANGLE = 45.0  # degrees
 STEP_FRACTION = 0.35  # of sqrt(m_min / kn), as in the quick run
 SETTLE_DRAG = 5.0  # viscous damping over mean mass [1/s]
 SEAT_DRAG = 18.0
-CONTACT_DAMPING = 0.6  # of sqrt(kn / mean effective mass)
+CONTACT_DAMPING = 0.3  # of critical
 SCRIPTS = ("scene.in", "in.settle", "in.seat")
 PACKED_BY = "slidewave_pack"
 
 
-def make(case, section, dem: Path, say) -> dict:
-    """Puts slide.data into `dem`, from the cache where the same slide was made before. Gives its
-    facts (particles, solid_fraction, ...)."""
-    recipe = _recipe(case, section)
+def make(case, section, width: float, dem: Path, say) -> dict:
+    """Puts slide.data of a slab of `width` [m] into `dem`, from the cache where the same slide was made
+    before. Gives its facts (particles, solid_fraction, ...)."""
+    recipe = _recipe(case, section, width)
     key = _key(recipe, dem)
     kept = places.cache_dir() / f"slide-{key}"
     if not (kept / "facts.json").is_file():
@@ -48,7 +48,7 @@ def make(case, section, dem: Path, say) -> dict:
     return facts
 
 
-def _recipe(case, section) -> dict:
+def _recipe(case, section, width) -> dict:
     """Every number that the slide depends on."""
     values = case.parameters
     mass = values["particle_density"] * math.pi / 6 * np.array(
@@ -61,14 +61,14 @@ def _recipe(case, section) -> dict:
         "fill": {"least": values["d_min"], "most": values["d_max"],
                  "solid_fraction": case.get("geometry.pack_fraction", 0.59),
                  "margin": values["d_max"], "passes": 300, "seed": case.get("geometry.seed", 1)},
-        "box": {"width": 2 * values["d_max"], "density": values["particle_density"], "types": 2,
+        "box": {"width": width, "density": values["particle_density"], "types": 2,
                 "xlo": case.get("geometry.split_x") - reach,
                 "xhi": case.get("geometry.split_x") + reach,
                 "zlo": float(heights.min()) - 50, "zhi": float(heights.max()) + 150},
         "script": {"d_min": values["d_min"], "kn": kn, "kt": values["kt"],
                    "friction_angle": values["friction_angle"],
                    "basal_angle": PREPARE_BASAL_ANGLE, "toe": float(section.toe[0]),
-                   "damping": CONTACT_DAMPING * math.sqrt(kn / (0.5 * mass[1])),
+                   "damping": CONTACT_DAMPING,
                    "prepare_dt": STEP_FRACTION * math.sqrt(mass[0] / kn),
                    **_gravity(case)},
         "settle": {"drag": SETTLE_DRAG * mass[1]},

@@ -11,7 +11,7 @@ import numpy as np
 from launch import case as cases
 from launch import parameters
 from launch.errors import InputError
-from launch.terrain import prepare, section_of
+from launch.terrain import prepare, section_of, slab_width
 
 COARSE = ["parameters.d_min=18", "parameters.d_max=24", "geometry.cell_size=24",
           "parameters.dem_dt=5e-3"]
@@ -48,12 +48,13 @@ class Slide(unittest.TestCase):
         case, dem, said = self.first
         rows = self.spheres(dem)
         section = section_of(case)
-        solid = np.pi / 6 * (rows[:, 2] ** 3).sum() / (115470 * 48)
+        width = slab_width(case)
+        solid = np.pi / 6 * (rows[:, 2] ** 3).sum() / (115470 * width)
         self.assertTrue(0.37 <= 1 - solid <= 0.47, 1 - solid)  # a rim of coarse grains is missing
         self.assertTrue(np.all(rows[:, 6] > section.height(rows[:, 4])))
         self.assertLess((rows[:, 6] - section.ground_height(rows[:, 4])).max(), 12)
         self.assertLess(rows[:, 4].max(), section.toe[0] - 10)
-        self.assertTrue(np.all((rows[:, 5] >= 0) & (rows[:, 5] <= 48)))
+        self.assertTrue(np.all((rows[:, 5] >= 0) & (rows[:, 5] <= width)))
 
     def test_came_to_rest(self):
         kept = next((self.place / "cache").glob("slide-*"))
@@ -82,6 +83,7 @@ class Slide(unittest.TestCase):
     def test_bad_geometry_is_refused(self):
         for setting, key in (("geometry.cell_size=-1", "cell_size"),
                              ("geometry.cellsize=5", "cellsize"),
+                             ("geometry.slab_diameters=1", "slab_diameters"),
                              ("geometry.profile=nowhere.toml", "profile"),
                              ("parameters.d_min=30", "d_min")):
             with self.assertRaises(InputError) as caught:
