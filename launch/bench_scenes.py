@@ -22,7 +22,7 @@ communicate single vel yes
 {processors}
 read_data {data}
 neighbor {skin} bin
-neigh_modify delay 0
+neigh_modify delay 0 contact_distance_factor {factor}
 """
 
 PROPERTIES = """fix kn all property/global kn peratomtypepair {n} {kn}
@@ -76,7 +76,7 @@ def write_loose(place: Path, count: int) -> None:
                               2 + SPACING_M * math.sqrt(0.5) * layer])
     diameters = np.random.default_rng(1).uniform(LEAST_M, MOST_M, count)
     write_data(place / "loose.data", places, diameters, width)
-    head = HEAD.format(boundary="f f f", processors="", data="loose.data", skin=0.5)
+    head = HEAD.format(boundary="f f f", processors="", data="loose.data", skin=0.5, factor=1)
     (place / "settle.in").write_text(head + _own(width, " damping 0.3") + """
 fix g all gravity 9.81 vector 0 0 -1
 fix i all nve/sphere
@@ -97,8 +97,8 @@ def write_bed(place: Path, count: int) -> None:
     (place / "bed_packaged.in").write_text(
         PROPERTIES.format(n=1, kn="3e9", kt="2.7e9", zero="0", mu="0.577") + _walls(width, PACKAGED, ""))
     (place / "bed.in").write_text(
-        "variable law index own\nvariable steps index 0\nvariable dumping index 0\n"
-        + HEAD.format(boundary="f f f", processors="", data="bed.data", skin=0.2) + """
+        "variable law index own\nvariable steps index 0\nvariable dumping index 0\nvariable factor index 1\n"
+        + HEAD.format(boundary="f f f", processors="", data="bed.data", skin=0.2, factor="${factor}") + """
 include bed_${law}.in
 fix g all gravity 9.81 vector 0 0 -1
 fix i all nve/sphere
@@ -110,23 +110,24 @@ if "${dumping} == 1" then "dump last all custom 1 ${law}.dump id x y z radius" &
 """)
 
 
-def write_slide(place: Path, values: dict) -> None:
-    """slide.in for both laws, from slide.data and wall.stl; `values` are the case's parameters."""
+def write_slide(place: Path, name: str, values: dict) -> None:
+    """NAME.in for both laws, from slide.data and wall.stl of the prepared case in the folder NAME; `values`
+    are the case's parameters."""
     grains, rock = (math.tan(math.radians(values[k])) for k in ("friction_angle", "basal_angle"))
     kn, kt = values["kn"], values["kt"]
-    mesh = "fix terrain all mesh/surface file wall.stl type 2\nfix wall all wall/gran {law} mesh n_meshes 1 meshes terrain{k}\n"
+    mesh = "fix terrain all mesh/surface file {name}/dem/wall.stl type 2\nfix wall all wall/gran {law} mesh n_meshes 1 meshes terrain{k}\n"
     own = f" kn {kn} ks {kt} mu "
-    (place / "slide_own.in").write_text(
-        f"pair_style gran {OWN}{own}{grains!r}\npair_coeff * *\n" + mesh.format(law=OWN, k=f"{own}{rock!r}"))
-    (place / "slide_packaged.in").write_text(
+    (place / f"{name}_own.in").write_text(
+        f"pair_style gran {OWN}{own}{grains!r}\npair_coeff * *\n" + mesh.format(name=name, law=OWN, k=f"{own}{rock!r}"))
+    (place / f"{name}_packaged.in").write_text(
         PROPERTIES.format(n=2, kn=f"{kn} " * 4, kt=f"{kt} " * 4, zero="0 0 0 0",
-                          mu=f"{grains!r} {rock!r} {rock!r} {rock!r}") + mesh.format(law=PACKAGED, k=""))
-    (place / "slide.in").write_text(
+                          mu=f"{grains!r} {rock!r} {rock!r} {rock!r}") + mesh.format(name=name, law=PACKAGED, k=""))
+    (place / f"{name}.in").write_text(
         "variable law index own\nvariable steps index 0\n"
-        + HEAD.format(boundary="f p f", processors="processors * 1 1", data="slide.data",
-                      skin=0.4 * values["d_min"])
+        + HEAD.format(boundary="f p f", processors="processors * 1 1", data=f"{name}/dem/slide.data",
+                      skin=0.4 * values["d_min"], factor=1)
         + f"""
-include slide_${{law}}.in
+include {name}_${{law}}.in
 fix g all gravity 9.81 vector 0 0 -1
 fix i all nve/sphere
 timestep {values['dem_dt']}

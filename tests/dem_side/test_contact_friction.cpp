@@ -204,10 +204,43 @@ TEST(History, IsKeptOnlyWhereALawNeedsIt) {
   }
 }
 
-// Where the laws coincide the packaged kernel and ours give the same pile: up to the first contact
-// that opens and closes again. LIGGGHTS 3.8 keeps the spring of an open contact as long as the pair
-// is in the neighbour list (surfacesClose is not called at its contact distance factor of 1); our
-// law starts a contact without strain.
+// Tangential force in the first step of a second contact, 0.07 s after the first one opened: a
+// sphere that bounces on a held one, while the pair stays in LIGGGHTS' neighbour list.
+double force_at_the_second_contact(bool own, std::string const& neighbours) {
+  SmallScene scene;
+  scene.box("f f f");
+  scene.lines({"neighbor 0.3 bin", "neigh_modify delay 0 " + neighbours});
+  if (own) {
+    scene.law("model linear kn 1e7 tangential coulomb ks 8e6 mu 0.5");
+  } else {
+    scene.contacts(1e7, 8e6, 0.5);
+  }
+  scene.sphere(5, 5, 4.5, 1);
+  scene.sphere(5, 5, 5.502, 1);
+  scene.lines({"group ball id 2", "group base id 1", "fix integrate ball nve/sphere",
+               "fix hold base freeze", "fix weight ball gravity 9.81 vector 0 0 -1",
+               "timestep 1e-4", "velocity ball set 0.02 0 -0.3 units box", "run 1237"});
+  double const overlap_m = 1 - (scene.x(2, 2) - scene.x(1, 2));
+  EXPECT_GT(overlap_m, 0);
+  EXPECT_LT(overlap_m, 1e-5) << "its first step";
+  return scene.of_atom(2, [&](int i) { return scene.lmp().atom->f[i][0]; });
+}
+
+// LIGGGHTS 3.8 drops the spring of an open contact only within its contact distance factor, 1
+// unless set, or where the neighbour list happens to be built anew meanwhile: else the next contact
+// starts with the spring of the last one. Ours always starts without strain.
+TEST(Coulomb, ContactThatClosesAgainStartsWithoutStrain) {
+  double const ours_N = force_at_the_second_contact(true, "");
+  EXPECT_LT(ours_N, -5) << "against the slip of one step";
+  double const kept_N = force_at_the_second_contact(false, "");
+  EXPECT_GT(std::abs(kept_N - ours_N), 10) << "the packaged law mended: compare without a factor";
+  for (char const* forgets : {"contact_distance_factor 1.2", "every 100 check no"}) {
+    EXPECT_NEAR(force_at_the_second_contact(false, forgets), ours_N, 1e-9) << forgets;
+  }
+}
+
+// The same pile from both, where the packaged law forgets the spring of an open contact as ours
+// does.
 TEST(Coulomb, AgreesWithThePackagedLaw) {
   int const spheres = 60;
   double end[2][spheres][3];
@@ -220,6 +253,7 @@ TEST(Coulomb, AgreesWithThePackagedLaw) {
       scene.law(law);
     } else {
       scene.contacts(1e7, 8e6, 0.5);
+      scene.lines({"neigh_modify contact_distance_factor 1.2"});
     }
     std::mt19937 random(7);
     std::uniform_real_distribution<double> jitter(-0.05, 0.05);
@@ -230,7 +264,7 @@ TEST(Coulomb, AgreesWithThePackagedLaw) {
     }
     scene.wall("floor", law, "primitive type 1 zplane 0");
     scene.lines({"fix integrate all nve/sphere", "fix weight all gravity 9.81 vector 0.1 0 -1",
-                 "velocity all ramp vx 0 2 z 0 5 units box", "timestep 0.0004", "run 700"});
+                 "velocity all ramp vx 0 2 z 0 5 units box", "timestep 0.0004", "run 1000"});
     for (int n = 0; n < spheres; ++n) {
       for (int axis = 0; axis < 3; ++axis) {
         end[own][n][axis] = scene.x(n + 1, axis);
