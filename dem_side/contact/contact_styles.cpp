@@ -9,6 +9,7 @@
 #include "fix_wall_gran_base.h"
 // clang-format on
 
+#include "model_settings.h"
 #include "normal_model_linear.h"
 #include "pair_style.h"
 #include "rolling_model_iwashita_oda.h"
@@ -63,11 +64,28 @@ LIGGGHTS::PairStyles::IGranularPairStyle* new_pair(LAMMPS_NS::LAMMPS* lmp, LAMMP
   return new PairStyle<tangential, rolling>(*lmp);
 }
 
+// LIGGGHTS' walls with our laws.
+template <int tangential, int rolling>
+class WallStyle
+    : public LIGGGHTS::Walls::Granular<models::ContactModel<Style<tangential, rolling>>> {
+  using Base = LIGGGHTS::Walls::Granular<models::ContactModel<Style<tangential, rolling>>>;
+
+ public:
+  WallStyle(LAMMPS_NS::LAMMPS* program, LAMMPS_NS::FixWallGran* wall, int64_t hash)
+      : Base(program, wall, hash), errors_(*program->error) {}
+  void settings(int count, char** arguments, LIGGGHTS::IContactHistorySetup* setup) override {
+    check_words(errors_, count, arguments);
+    Base::settings(count, arguments, setup);
+  }
+
+ private:
+  LAMMPS_NS::Error& errors_;
+};
+
 template <int tangential, int rolling>
 LIGGGHTS::Walls::IGranularWall* new_wall(LAMMPS_NS::LAMMPS* lmp, LAMMPS_NS::FixWallGran* parent,
                                          int64_t hash) {
-  using Model = models::ContactModel<Style<tangential, rolling>>;
-  return new LIGGGHTS::Walls::Granular<Model>(lmp, parent, hash);
+  return new WallStyle<tangential, rolling>(lmp, parent, hash);
 }
 
 template <int tangential, int rolling>

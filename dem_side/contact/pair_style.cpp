@@ -42,6 +42,7 @@ OwnPairs::~OwnPairs() {
 }
 
 void OwnPairs::settings(int argument_count, char** arguments) {
+  check_words(*lmp_.error, argument_count, arguments);
   Settings settings(&lmp_);
   read_linear(settings, law_.normal);
   if (named_.coulomb) {

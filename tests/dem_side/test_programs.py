@@ -162,6 +162,23 @@ class OwnLaw(Folder):
                 self.assertNotIn("work_fluid_J", header)
 
 
+    def test_two_ranks_equal_one(self):
+        """Places and speeds of a collapsing pile with every feature of the law, relative to D and 1 m/s."""
+        law = "model linear tangential coulomb rolling_friction jiang"
+        constants = "kn 1e7 damping 0.1 ks 8e6 mu 0.3 shape 0.2 crushing 2 twist on"
+        own = re.sub("pair_style .*", f"pair_style gran {law} {constants}", SETUP)
+        self.write(CASE, re.sub("(fix (?:floor|left|right) all wall/gran) .* primitive (.*)",
+                                rf"\1 {law} primitive \2 {constants}", own))
+        ends = []
+        for ranks in (1, 2):
+            done = mpirun(ranks, PROGRAM, self.dir)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            last = (self.dir / "dem" / "states.txt").read_text().rsplit("ITEM: ATOMS", 1)[1]
+            ends.append([float(word) for line in last.splitlines()[1:] for word in line.split()[1:7]])
+        self.assertGreater(len(ends[0]), 600)
+        self.assertLess(max(abs(a - b) for a, b in zip(*ends)), 1e-10 * 0.9)
+
+
 class PlainScript(Folder):
     def run_script(self, script, *extra):
         file = self.dir / "plain"
@@ -375,14 +392,26 @@ class Failures(Folder):
 
     def test_bad_contact_constants(self):
         coulomb = "model linear tangential coulomb"
+        iwashita_oda, jiang = (f"{coulomb} rolling_friction {name} kn 1e6 ks 1e6 mu 0.5"
+                               for name in ("iwashita_oda", "jiang"))
         for law, words in (
             ("model linear kn -5", "linear: kn is -5"),
             ("model linear", "linear: kn is missing"),
+            ("model linear kn", "kn has no value"),
             ("model linear kn 1e6 damping 1.5", "damping is 1.5"),
             (coulomb + " kn 1e6 mu 0.5", "coulomb: ks is missing"),
+            (coulomb + " kn 1e6 ks 0 mu 0.5", "ks is 0"),
+            (coulomb + " kn 1e6 ks 1e6", "mu is missing"),
             (coulomb + " kn 1e6 ks 1e6 mu -0.1", "mu is -0.1"),
-            (coulomb + " rolling_friction iwashita_oda kn 1e6 ks 1e6 mu 0.5 kr 10", "eta is missing"),
-            (coulomb + " rolling_friction jiang kn 1e6 ks 1e6 mu 0.5 shape 1", "crushing is missing"),
+            (coulomb + " kn 1e6 ks 1e6 mu O.5", "mu is 'O.5', give a number"),
+            (coulomb + " kn 1e6 ks 1e6 mu 0.5 mu 0.6", "mu is given twice"),
+            (iwashita_oda + " eta 0.1", "kr is missing"),
+            (iwashita_oda + " kr -1 eta 0.1", "kr is -1"),
+            (iwashita_oda + " kr 10", "eta is missing"),
+            (iwashita_oda + " kr 10 eta -0.1", "eta is -0.1"),
+            (jiang + " crushing 2", "shape is missing"),
+            (jiang + " shape 1", "crushing is missing"),
+            (jiang + " shape 1 crushing -2", "crushing is -2"),
             (coulomb + " kn 1e6 ks 1e6 mu 0.5 kr 10", "Unknown argument"),
         ):
             with self.subTest(law=law):
@@ -393,6 +422,11 @@ class Failures(Folder):
                                       capture_output=True, text=True, check=False)
                 self.assertNotEqual(done.returncode, 0)
                 self.assertIn(words, done.stdout)
+        own = SETUP.replace("model hooke/stiffness tangential history\npair_coeff", "model linear kn 1e6\npair_coeff")
+        (self.dir / "plain").write_text(own + "fix w all wall/gran model linear primitive type 1 zplane 0 kn x\n")
+        done = subprocess.run([PROGRAM, "--script", "plain"], cwd=self.dir, timeout=60, capture_output=True,
+                              text=True, check=False)
+        self.assertIn("kn is 'x', give a number", done.stdout)
         self.write(CASE, SETUP.replace("model hooke/stiffness tangential history\npair_coeff",
                                        "model linear kn -5\npair_coeff"))
         self.fails("contact model linear: kn is -5")
