@@ -35,7 +35,7 @@ OneFluid::OneFluid(fvMesh& mesh, Time& time)
 
 void OneFluid::solveStep() {
   while (pimple_.loop()) {
-    surfaceScalarField const inertia(fvc::ddtCorr(U_, phi_));
+    surfaceScalarField const inertia(oldFlux());
     tmp<fvVectorMatrix> tUEqn = momentum();
     while (pimple_.correct()) correctPressure(tUEqn.ref(), inertia);
   }
@@ -63,8 +63,7 @@ void OneFluid::correctPressure(fvVectorMatrix& UEqn, surfaceScalarField const& i
   volScalarField const rAU(1 / UEqn.A());
   surfaceScalarField const rAUf("rAUf", sqr(epsf_) * fvc::interpolate(rAU));
   volVectorField const HbyA(constrainHbyA(rAU * UEqn.H(), U_, p_));
-  surfaceScalarField F("phiHbyA",
-                       fvc::flux(eps_ * HbyA) + epsf_ * fvc::interpolate(eps_ * rAU) * inertia);
+  surfaceScalarField F("phiHbyA", fvc::flux(eps_ * HbyA) + fvc::interpolate(eps_ * rAU) * inertia);
   if (p_.needReference()) adjustPhi(F, U_, p_);
   tmp<surfaceScalarField> push;
   if (dragOnFaces()) {

@@ -1,12 +1,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "CorrectPhi.H"
 #include "OneFluid.H"
 #include "PorousFlow.H"
 #include "TwoFluids.H"
 #include "World.H"
+#include "adjustPhi.H"
 #include "extrapolatedCalculatedFvPatchFields.H"
+#include "fixedValueFvPatchFields.H"
 #include "fvc.H"
 #include "fvm.H"
 #include "zeroGradientFvPatchFields.H"
@@ -78,6 +79,7 @@ PorousFlow::PorousFlow(fvMesh& mesh, Time& time, word const& pressure)
       stepSize_(time) {
   eps_.oldTime();
   phi_.oldTime();
+  F_.oldTime();
   mesh_.setFluxRequired(p_.name());
 }
 
@@ -166,10 +168,27 @@ void PorousFlow::startWindow(double length_s) {
   if (change * length_s > 1e-13) projectFlux();
 }
 
+// As OpenFOAM's CorrectPhi, but that one holds cell 0 of every rank where nothing fixes the
+// pressure: in a decomposed closed domain the flux then misses continuity there.
 void PorousFlow::projectFlux() {
+  wordList kinds(p_.boundaryField().size(), zeroGradientFvPatchScalarField::typeName);
+  forAll(kinds, patch) {
+    if (p_.boundaryField()[patch].fixesValue()) {
+      kinds[patch] = fixedValueFvPatchScalarField::typeName;
+    }
+  }
+  volScalarField pcorr(stored("pcorr", mesh_, IOobject::NO_READ, IOobject::NO_WRITE), mesh_,
+                       dimensionedScalar(p_.dimensions(), Zero), kinds);
   surfaceScalarField const mobility(epsf_ * faceMobility());
-  CorrectPhi(U_, F_, p_, mobility, (-rate_)(), pimple_);
-  setFlux(F_ * 1.0);
+  surfaceScalarField F("F", F_ * 1.0);
+  if (pcorr.needReference()) adjustPhi(F, U_, pcorr);
+  mesh_.setFluxRequired(pcorr.name());
+  while (pimple_.correctNonOrthogonal()) {
+    fvScalarMatrix equation(fvm::laplacian(mobility, pcorr) == fvc::div(F) + rate_);
+    equation.setReference(Pstream::master() ? 0 : -1, 0);
+    equation.solve(mesh_.solver(pcorr.select(pimple_.finalNonOrthogonalIter())));
+    if (pimple_.finalNonOrthogonalIter()) setFlux(F - equation.flux());
+  }
 }
 
 void PorousFlow::rampTo(double fraction) {
@@ -186,6 +205,13 @@ void PorousFlow::rampTo(double fraction) {
 void PorousFlow::setFlux(tmp<surfaceScalarField> const& F) {
   F_ = F;
   phi_ = F_ / epsf_;
+}
+
+// The old flux is compared with that of the product eps U: U alone, taken to a face where eps
+// jumps, differs from F/eps_f even where both say the same flux, and steady flow would keep the
+// difference.
+tmp<surfaceScalarField> PorousFlow::oldFlux() const {
+  return fvc::ddtCorr(eps_, U_, F_);
 }
 
 void PorousFlow::addDrag(fvVectorMatrix& UEqn, dimensionedScalar const& scale) const {

@@ -46,7 +46,7 @@ void TwoFluids::solveStep() {
     solvePhase();
     mixture_.correct();
     surfaceScalarField const force(bodyForce());
-    surfaceScalarField const inertia(fvc::ddtCorr(U_, phi_));
+    surfaceScalarField const inertia(oldFlux());
     tmp<fvVectorMatrix> tUEqn = momentum(force);
     while (pimple_.correct()) correctPressure(tUEqn.ref(), force, inertia);
     setPressure();
@@ -81,8 +81,8 @@ void TwoFluids::correctPressure(fvVectorMatrix& UEqn, surfaceScalarField const& 
   surfaceScalarField const rAUf("rAUf", sqr(epsf_) * fvc::interpolate(rAU));
   volVectorField const HbyA(constrainHbyA(rAU * UEqn.H(), U_, p_));
   // eps HbyA goes to the faces as one product: its flux is smooth where eps jumps.
-  surfaceScalarField F(
-      "phiHbyA", fvc::flux(eps_ * HbyA) + epsf_ * fvc::interpolate(eps_ * rho_ * rAU) * inertia);
+  surfaceScalarField F("phiHbyA",
+                       fvc::flux(eps_ * HbyA) + fvc::interpolate(eps_ * rho_ * rAU) * inertia);
   if (p_.needReference()) adjustPhi(F, U_, p_);
   surfaceScalarField const forceFlux(force * rAUf * mesh_.magSf());
   F += forceFlux;

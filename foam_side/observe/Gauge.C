@@ -44,7 +44,8 @@ Gauge::Gauge(Scene const& scene, std::string name, fvMesh const& mesh)
 
 std::vector<Quantity> Gauge::observe(WaterView const& view) const {
   double depth = 0;
-  for (Piece const& piece : line_) depth += view.water[piece.cell] * piece.length_m;
+  for (Piece const& piece : line_)
+    depth += view.water[piece.cell] / view.eps[piece.cell] * piece.length_m;
   reduce(depth, sumOp<scalar>());
   return {{name_ + "_level_m", bed_m_ + depth}};
 }
