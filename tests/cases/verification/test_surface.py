@@ -1,6 +1,7 @@
-"""Free surface: spheres that drop into water, and a standing wave."""
+"""Free surface: spheres that drop into water, still water in a bed, and a standing wave."""
 
 import math
+import os
 import unittest
 
 import numpy as np
@@ -8,6 +9,8 @@ from scipy.optimize import curve_fit
 
 from tests.cases.verification import spheres
 from tests.cases.verification.runs import Verification
+
+FULL = "SLIDEWAVE_VERIFICATION" in os.environ
 
 
 class WaterEntry(Verification):
@@ -22,6 +25,8 @@ class WaterEntry(Verification):
         displaced = number * spheres.volume(1e-3) / (3 * spacing) ** 2
         self.assertEqual(number, 90)
         self.near("water_entry", "rise of the level [m]", rise, displaced, 0.005, run)
+        self.near("water_entry", "rise of the level at the gauge [m]", run.history["gauge_level_m"][-1] - depth,
+                  displaced, 0.005, run)
         # between the lowest cell and one in the middle of the bed's pores: rho g dz, not eps rho g dz
         base = (p[0] - p[8]) / (8 * spacing)
         self.near("water_entry", "pressure gradient in the bed [Pa/m]", base, 1000 * g, 1e-3, run)
@@ -34,6 +39,34 @@ class WaterEntry(Verification):
             self.near("water_entry", f"{fluid} volume defect", defect, 0, tolerance, run)
         self.assertLess(np.abs(run.field("U")[:, 2]).max(), 1e-3, "all is still")
         self.budgets_close("water_entry", run)
+
+
+class StillBed(Verification):
+    """Nothing moves and the pressure is hydrostatic, to what the pressure's solver leaves over."""
+
+    def stays(self, depth_cells: int, regime: str) -> None:
+        spacing, cells, layers, g, rho, air = 1.2e-3, 40, 16, 9.81, 1000.0, 1.2
+        run = self.run_case("still_bed", parameters__depth=depth_cells * spacing, coupling__regime=regime)
+        cover = "covered" if depth_cells > layers else "half covered"
+        case = f"still_bed, {cover}, {regime}"
+        p = run.field("p")
+        base = (depth_cells - 0.5) * spacing * g * rho + (cells - depth_cells) * spacing * g * air
+        self.near(case, "largest velocity [m/s]", np.abs(run.field("U")).max(), 0, 1e-6, run)
+        self.near(case, "pressure at the base [Pa]", p[0] - p[-1] + 0.5 * spacing * g * air, base, 1e-6, run)
+        self.near(case, "level at the gauge [m]", run.history["gauge_level_m"][-1], depth_cells * spacing,
+                  1e-6, run)
+        self.assertLess(run.field("eps")[4], 0.5, "the base is in the bed")
+
+    def test_covered(self) -> None:
+        self.stays(30, "mild")
+
+    def test_half_covered(self) -> None:
+        self.stays(8, "stiff")
+
+    @unittest.skipUnless(FULL, "full verification only")
+    def test_full(self) -> None:
+        self.stays(30, "stiff")
+        self.stays(8, "mild")
 
 
 class StandingWave(Verification):
