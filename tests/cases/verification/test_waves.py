@@ -1,0 +1,99 @@
+"""Waves and bores: a dam break without particles, and a piston of particles.
+
+References: Ritter (1892) and Stoker (1957) for the dam break, mass and momentum across a jump for the
+bore. All are of shallow water, so the runs are long compared with the depth."""
+
+import math
+import os
+import unittest
+
+import numpy as np
+from scipy.optimize import brentq
+
+from tests.cases.verification.runs import Run, Verification
+
+FULL = "SLIDEWAVE_VERIFICATION" in os.environ
+G = 9.81
+
+
+def depths(run: Run, cells_x: int, cells_z: int, height: float, time: str | None = None) -> np.ndarray:
+    """Depth of water in each column of a tank one cell thick [m]."""
+    return run.field("alpha.water", time).reshape(cells_z, cells_x).sum(axis=0) * height / cells_z
+
+
+class DamBreak(Verification):
+    """Levels within 5 %, speeds between half and the whole time within 5 %: shallow-water theory takes the
+    water to be hydrostatic from the first moment, and here a column begins to fall."""
+
+    length, height, cells_x, cells_z, dam, depth = 16.0, 1.25, 256, 20, 6.0, 1.0
+    half, end = "0.65", 1.3
+
+    def profile(self, **settings: object) -> tuple[Run, np.ndarray, np.ndarray, np.ndarray]:
+        """Run, places from the dam, and depths there at half the time and at the end [m]."""
+        run = self.run_case("dam_break", **settings)
+        x = (np.arange(self.cells_x) + 0.5) * self.length / self.cells_x - self.dam
+        first, last = (depths(run, self.cells_x, self.cells_z, self.height, t) for t in (self.half, None))
+        return run, x, first, last
+
+    def speed(self, x: np.ndarray, first: np.ndarray, last: np.ndarray, level: float) -> float:
+        """Of the foremost place of that depth [m/s]."""
+        place = [np.interp(-level, -h[k : k + 2], x[k : k + 2])
+                 for h in (first, last) for k in [np.nonzero(h > level)[0][-1]]]
+        return (place[1] - place[0]) / (self.end - float(self.half))
+
+    @unittest.skipUnless(FULL, "full verification only")
+    def test_full(self) -> None:
+        """On dry ground: h = (2 c - x/t)^2/(9 g), c = sqrt(g depth)."""
+        run, x, first, last = self.profile()
+        level = run.history["dam_level_m"][-1]
+        self.near("dam_break on dry ground", "depth at the dam [m]", level, 4 / 9 * self.depth, 0.05, run)
+        for share in (0.3, 0.2, 0.1):
+            theory = (2 - 3 * math.sqrt(share)) * math.sqrt(G * self.depth)
+            self.near("dam_break on dry ground", f"speed of the depth {share:g} m [m/s]",
+                      self.speed(x, first, last, share * self.depth), theory, 0.05, run)
+
+    def test_stoker(self) -> None:
+        """Into shallow water: a level between two waves, ended by a bore."""
+        low = 0.3125
+        run, x, first, last = self.profile(parameters__downstream_depth=low)
+        left, right = G * self.depth, G * low
+
+        def jump(c: float) -> float:
+            return (-8 * right * c * c * (math.sqrt(left) - c) ** 2 + (c * c - right) ** 2 * (c * c + right))
+
+        c = brentq(jump, 1.001 * math.sqrt(right), math.sqrt(left))
+        middle, bore = c * c / G, 2 * c * c * (math.sqrt(left) - c) / (c * c - right)
+        ahead = bore * self.end
+        behind = (2 * math.sqrt(left) - 3 * c) * self.end
+        flat = (x > behind + self.depth) & (x < ahead - self.depth)
+        self.assertGreater(flat.sum(), 10)
+        self.near("dam_break into water", "depth behind the bore [m]", last[flat].mean(), middle, 0.05, run)
+        self.near("dam_break into water", "speed of the bore [m/s]",
+                  self.speed(x, first, last, 0.5 * (middle + low)), bore, 0.05, run)
+
+
+class Piston(Verification):
+    def test_bore(self) -> None:
+        length, height, cells_x, cells_z, depth, speed = 1.6, 0.3, 128, 24, 0.1, 0.495
+        run = self.run_case("piston")
+        froude = speed / math.sqrt(G * depth)
+        rise = brentq(lambda a: a * a * (2 + a) / (2 * (1 + a)) - froude**2, 1e-6, 10)
+        bore = speed * (1 + rise) / rise
+        h = depths(run, cells_x, cells_z, height)
+        x = (np.arange(cells_x) + 0.5) * length / cells_x
+        plug = 0.175 + speed * run.history["time_s"][-1]
+        front = x[np.nonzero(h > depth * (1 + rise / 2))[0][-1]]
+        flat = (x > plug + depth) & (x < front - 2 * depth)
+        self.assertGreater(flat.sum(), 10)
+        self.near("piston, Froude number 0.5", "rise over depth", h[flat].mean() / depth - 1, rise, 0.05, run)
+        arrival = [np.interp(depth * (1 + rise / 2), np.maximum.accumulate(run.history[f"{g}_level_m"]),
+                             run.history["time_s"]) for g in ("near", "far")]
+        self.near("piston, Froude number 0.5", "speed of the bore [m/s]", 0.5 / (arrival[1] - arrival[0]), bore,
+                  0.05, run)
+        travelled = run.history["one_x_m"][-1] - run.history["one_x_m"][0]
+        self.assertAlmostEqual(travelled / (speed * run.history["time_s"][-1]), 1, delta=1e-4)
+        self.budgets_close("piston, Froude number 0.5", run)
+
+
+if __name__ == "__main__":
+    unittest.main()
