@@ -37,7 +37,8 @@ inline void check_words(LAMMPS_NS::Error& error, int count, char const* const* w
       fault = std::string(" is '") + words[k + 1] + "', give a number";
     }
     if (!fault.empty()) {
-      error.all(FLERR, ("contact model: " + keyword + fault).c_str());
+      fault.insert(0, "contact model: " + keyword);
+      error.all(FLERR, fault.c_str());
     }
   }
 }
