@@ -1,36 +1,18 @@
 #include "esys_engine.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <sstream>
 
+#include "slidewave/screen.hpp"
 #include "world.h"
 
 namespace fs = std::filesystem;
 
 namespace slidewave::esys {
 namespace {
-
-// Both ranks append to one file; lines reach it as they are finished.
-void send_screen_to(fs::path const& log, Session const& session) {
-  if (session.rank() == 0) {
-    std::fclose(std::fopen(log.c_str(), "w"));
-  }
-  MPI_Barrier(session.comm());
-  std::fflush(stdout);
-  int const file = ::open(log.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0644);
-  if (file < 0) {
-    throw std::runtime_error("cannot write " + log.string());
-  }
-  ::dup2(file, STDOUT_FILENO);
-  ::close(file);
-  std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
-}
 
 /// Lines `variable NAME index VALUE` of dem/parameters.
 std::map<std::string, std::string> read_parameters(fs::path const& file) {

@@ -1,8 +1,5 @@
 #include "lammps_engine.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -16,6 +13,7 @@
 #include "modify.h"
 #include "registry.h"
 #include "scene_facts.h"
+#include "slidewave/screen.hpp"
 #include "update.h"
 
 namespace fs = std::filesystem;
@@ -32,22 +30,6 @@ void refuse_in_script(char const* command) {
                             "', but it may only set the scene up (run 0 at most): the coupled run "
                             "advances time itself",
                         2);
-}
-
-// All ranks append to one file; lines reach it as they are finished.
-void send_screen_to(fs::path const& log, Session const& session) {
-  if (session.rank() == 0) {
-    std::fclose(std::fopen(log.c_str(), "w"));
-  }
-  MPI_Barrier(session.comm());
-  std::fflush(stdout);
-  int const file = ::open(log.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0644);
-  if (file < 0) {
-    throw std::runtime_error("cannot write " + log.string());
-  }
-  ::dup2(file, STDOUT_FILENO);
-  ::close(file);
-  std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
 }
 
 std::string as_text(double value) {

@@ -1,8 +1,5 @@
 #include "liggghts_engine.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <cmath>
 #include <cstdio>
 
@@ -21,6 +18,7 @@
 #include "registry.h"
 #include "script_scan.h"
 #include "slidewave/physics/contact_secant.hpp"
+#include "slidewave/screen.hpp"
 #include "stock_facts.h"
 #include "thermo.h"
 #include "update.h"
@@ -39,23 +37,6 @@ void refuse_in_script(char const* command) {
                             "', but it may only set the scene up (run 0 at most): the coupled run "
                             "advances time itself; prepare states with slidewave_dem --script",
                         2);
-}
-
-// All ranks append to one file; lines reach it as they are finished. A run that may go on from a
-// checkpoint keeps what the log holds.
-void send_screen_to(fs::path const& log, MPI_Comm comm, int rank) {
-  if (rank == 0 && !fs::exists(log.parent_path() / "checkpoints")) {
-    std::fclose(std::fopen(log.c_str(), "w"));
-  }
-  MPI_Barrier(comm);
-  std::fflush(stdout);
-  int const file = ::open(log.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0644);
-  if (file < 0) {
-    throw std::runtime_error("cannot write " + log.string());
-  }
-  ::dup2(file, STDOUT_FILENO);
-  ::close(file);
-  std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
 }
 
 Feature contact_kernel() {
@@ -81,11 +62,10 @@ LiggghtsEngine::LiggghtsEngine(Session& session)
   Scene const& scene = session.scene();
   fs::path const log = folder_.parent_path() / "log.dem";
   end_s_ = scene.number("case.end_time");
-  output_interval_s_ = scene.number("output.interval", 0.0);
   if (!fs::is_directory(folder_)) {
     throw InputError(case_file(session).string(), "dem", folder_.string(), "no such folder");
   }
-  send_screen_to(log, session.comm(), session.rank());
+  send_screen_to(log, session);
   fs::current_path(folder_);
   guarded_session = &session;
   route_errors(session, log);
@@ -144,11 +124,8 @@ void LiggghtsEngine::set_up_scene() {
   lmp_->input->one(lost.c_str());
   wanted_dt_s_ = scene.number("parameters.dem_dt", lmp_->update->dt);
   loop_ = std::make_unique<StepLoop>(*lmp_);
-  observers_ = std::make_unique<Observers>(*lmp_, scene);
-  if (output_interval_s_ > 0) {
-    snapshots_ = std::make_unique<Snapshots>(*lmp_, folder_,
-                                             static_cast<int>(scene.number("output.layers", 0.0)));
-  }
+  ParticleReport::add_columns(seen_);
+  report_ = std::make_unique<ParticleReport>(session_);
   if (wants_audit(scene) && EnergyAudit::obstacle(*lmp_).empty()) {
     audit_ = std::make_unique<EnergyAudit>(*lmp_, session_.has_partner());
   }
@@ -156,7 +133,10 @@ void LiggghtsEngine::set_up_scene() {
 }
 
 void LiggghtsEngine::observe() {
-  quantities_ = observers_->observe();
+  if (report_->wants_particles()) {
+    gather(seen_);
+  }
+  quantities_ = report_->observe(seen_, report_->wants_overlap() ? max_overlap(*lmp_) : 0.0);
   if (!audit_) {
     return;
   }
@@ -219,8 +199,10 @@ void LiggghtsEngine::gather(Table& particles) {
       }
     }
   };
+  fill("id", [&](int i, auto out) { out[0] = atom.tag[i]; });
   fill("position", [&](int i, auto out) { out = wrapped(*lmp_, atom.x[i]); });
   fill("velocity", [&](int i, auto out) { out = Vec3(atom.v[i]); });
+  fill("angular_velocity", [&](int i, auto out) { out = Vec3(atom.omega[i]); });
   fill("radius", [&](int i, auto out) { out[0] = atom.radius[i]; });
   fill("mass", [&](int i, auto out) { out[0] = atom.rmass[i]; });
   for (char const* name : {"impulse", "memory"}) {
@@ -231,8 +213,8 @@ void LiggghtsEngine::gather(Table& particles) {
       }
     });
   }
-  extras_wanted_ = particles.has("travel");
-  if (extras_wanted_) {
+  if (particles.has("travel")) {
+    extras_wanted_ = true;
     gather_extras(particles);
   }
 }
@@ -316,15 +298,13 @@ std::optional<Vec3> LiggghtsEngine::received_impulse() const {
 void LiggghtsEngine::advance(Window const& window) {
   InsideLiggghts const inside;
   bool const moves = window.length_s() > 0;
-  if (next_output_s_ == 0) {
-    write_if_due(moves ? window.index - 1 : window.index, window.t0_s);  // the initial state
-  }
   if (!moves) {
     if (extras_wanted_) {  // the first window wants to know the contacts
       loop_->prepare(session_.scene().number("coupling.window"), wanted_dt_s_, end_s_);
     }
     return;
   }
+  report_->picture(seen_, window.index - 1, window.t0_s);  // the initial state, if not there yet
   if (audit_ && !audit_->started()) {
     loop_->prepare(window.length_s(), wanted_dt_s_, end_s_ - window.t0_s);
     audit_->observe();
@@ -333,7 +313,7 @@ void LiggghtsEngine::advance(Window const& window) {
   check_numbers();
   lmp_->output->thermo->lost_check();
   observe();
-  write_if_due(window.index, window.t1_s);
+  report_->picture(seen_, window.index, window.t1_s);
   if (window.t1_s >= end_s_ * (1 - 1e-9)) {
     loop_->finish();
   }
@@ -347,10 +327,7 @@ void LiggghtsEngine::pass(State& state) {
   InsideLiggghts const inside;
   state.pass("liggghts.kick", kick_command_);
   state.pass("liggghts.extras", extras_wanted_);
-  state.pass("liggghts.next_output_s", next_output_s_);
-  if (snapshots_ && (state.saving() || state.has("snapshots.files"))) {
-    snapshots_->pass(state);
-  }
+  report_->pass(state);
   if (!state.saving()) {
     append_to_dumps();
     if (!kick_command_.empty()) {
@@ -381,13 +358,6 @@ void LiggghtsEngine::check_numbers() const {
                     " has no position or velocity any more (not a number): the DEM step is too "
                     "large, or the forces on it are");
     }
-  }
-}
-
-void LiggghtsEngine::write_if_due(long window, double time_s) {
-  if (snapshots_ && time_s >= next_output_s_ - 1e-6 * output_interval_s_) {
-    snapshots_->write(window, time_s);
-    next_output_s_ = output_interval_s_ * (std::floor(time_s / output_interval_s_ + 1e-6) + 1);
   }
 }
 

@@ -8,9 +8,8 @@
 #include <vector>
 
 #include "energy_audit.h"
-#include "observers.h"
 #include "slidewave/coupler.hpp"
-#include "snapshot.h"
+#include "slidewave/particle_report.hpp"
 #include "step_loop.h"
 #include "touching.h"
 
@@ -46,25 +45,22 @@ class LiggghtsEngine : public ParticleEngine {
   void append_to_dumps() const;
   void check_numbers() const;
   void observe();
-  void write_if_due(long window, double time_s);
 
   Session& session_;
   std::filesystem::path folder_;  // DIR/dem
   std::unique_ptr<LAMMPS_NS::LAMMPS> lmp_;
   std::unique_ptr<StepLoop> loop_;
-  std::unique_ptr<Observers> observers_;
+  std::unique_ptr<ParticleReport> report_;
   std::unique_ptr<EnergyAudit> audit_;  // none where it is off or cannot close
   bool drift_told_ = false;
-  std::unique_ptr<Snapshots> snapshots_;
   LAMMPS_NS::FixSlidewave* kick_ = nullptr;  // none in a dry scene
   std::string kick_command_;
+  Table seen_;  // what the report is made from
   std::vector<Quantity> quantities_;
   Touching touching_;
   bool extras_wanted_ = false;
   double wanted_dt_s_ = 0;
   double end_s_ = 0;
-  double output_interval_s_ = 0;
-  double next_output_s_ = 0;
 };
 
 }  // namespace slidewave::dem

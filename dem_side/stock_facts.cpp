@@ -1,13 +1,19 @@
 #include "stock_facts.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
+#include "atom.h"
 #include "domain.h"
 #include "expose.h"
 #include "fix_gravity.h"
+#include "force.h"
 #include "lammps.h"
 #include "modify.h"
+#include "neigh_list.h"
+#include "neighbor.h"
+#include "pair.h"
 
 using LAMMPS_NS::FixGravity;
 using LAMMPS_NS::LAMMPS;
@@ -63,6 +69,27 @@ Vec3 wrapped(LAMMPS& lmp, double const* position_m) {
     }
   }
   return inside;
+}
+
+double max_overlap(LAMMPS& lmp) {
+  LAMMPS_NS::Atom const& atom = *lmp.atom;
+  double largest = 0;
+  LAMMPS_NS::NeighList const* const list = lmp.force->pair ? lmp.force->pair->list : nullptr;
+  bool const listed = list && lmp.neighbor->lastcall >= 0;
+  for (int row = 0; listed && row < list->inum; ++row) {
+    int const i = list->ilist[row];
+    Eigen::Map<Vec3 const> const x_i(atom.x[i]);
+    for (int k = 0; k < list->numneigh[i]; ++k) {
+      int const j = list->firstneigh[i][k] & NEIGHMASK;
+      double const reach = atom.radius[i] + atom.radius[j];
+      double const square = (x_i - Eigen::Map<Vec3 const>(atom.x[j])).squaredNorm();
+      if (square < reach * reach) {
+        double const smaller = 2 * std::min(atom.radius[i], atom.radius[j]);
+        largest = std::max(largest, (reach - std::sqrt(square)) / smaller);
+      }
+    }
+  }
+  return largest;
 }
 
 std::string as_text(Vec3 const& v) {

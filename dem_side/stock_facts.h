@@ -20,6 +20,9 @@ std::string boundaries(LAMMPS_NS::LAMMPS& lmp);
 Box sub_domain(LAMMPS_NS::LAMMPS& lmp);
 /// The image of `position_m` inside the periodic box.
 Vec3 wrapped(LAMMPS_NS::LAMMPS& lmp, double const* position_m);
+/// Largest overlap of this rank's pairs over the smaller diameter of the two [-], from the
+/// neighbour list of the last step; 0 before the first.
+double max_overlap(LAMMPS_NS::LAMMPS& lmp);
 /// Three numbers that read back to the same doubles.
 std::string as_text(Vec3 const& v);
 

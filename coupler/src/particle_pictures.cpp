@@ -67,4 +67,27 @@ void ParticleReport::Pictures::write_if_due(Table const& particles, long window,
   write_vtk_series(folder_ / "particles.vtk.series", series_);
 }
 
+void ParticleReport::Pictures::pass(State& state) {
+  std::vector<std::string> files;
+  std::vector<double> times_s, layers;
+  for (ParticlePicture const& entry : series_) {
+    files.push_back(entry.file);
+    times_s.push_back(entry.time_s);
+  }
+  for (auto const& [id, layer] : layer_of_id_) {
+    layers.insert(layers.end(), {static_cast<double>(id), static_cast<double>(layer)});
+  }
+  state.pass("pictures.next_s", next_s_);
+  state.pass("pictures.files", files);
+  state.pass("pictures.times_s", times_s);
+  state.pass("pictures.layers", layers);
+  series_.clear();
+  for (std::size_t k = 0; k < files.size(); ++k) {
+    series_.push_back({files[k], times_s[k]});
+  }
+  for (std::size_t k = 0; k < layers.size(); k += 2) {
+    layer_of_id_[std::lround(layers[k])] = static_cast<int>(layers[k + 1]);
+  }
+}
+
 }  // namespace slidewave

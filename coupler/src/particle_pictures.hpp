@@ -4,7 +4,7 @@
 #pragma once
 
 #include <filesystem>
-#include <unordered_map>
+#include <map>
 #include <vector>
 
 #include "slidewave/particle_report.hpp"
@@ -18,6 +18,8 @@ class ParticleReport::Pictures {
   explicit Pictures(Session const& session);
   /// Collective. Layers are those of the first picture.
   void write_if_due(Table const& particles, long window, double time_s);
+  /// What was written, and the layers.
+  void pass(State& state);
 
  private:
   void assign_layers(std::vector<double> const& rows);
@@ -27,7 +29,7 @@ class ParticleReport::Pictures {
   double interval_s_;
   int layers_;
   double next_s_ = 0;
-  std::unordered_map<long, int> layer_of_id_;  // on the first rank; empty without layers
+  std::map<long, int> layer_of_id_;  // on the first rank; empty without layers
   std::vector<ParticlePicture> series_;
 };
 

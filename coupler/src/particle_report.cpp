@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "particle_pictures.hpp"
 
@@ -109,6 +110,12 @@ void ParticleReport::picture(Table const& particles, long window, double time_s)
   }
 }
 
+void ParticleReport::pass(State& state) {
+  if (pictures_) {
+    pictures_->pass(state);
+  }
+}
+
 // Weighs by bins, then refines the bin that holds the front: no sorting, no global list.
 double mass_front_x(Table const& particles, double part, MPI_Comm comm) {
   constexpr int bins = 1000;
@@ -136,10 +143,7 @@ double mass_front_x(Table const& particles, double part, MPI_Comm comm) {
     }
     sum_over_ranks(weight.data(), bins, comm);
     if (wanted < 0) {
-      wanted = 0;
-      for (double const m : weight) {
-        wanted += part * m;
-      }
+      wanted = part * std::accumulate(weight.begin(), weight.end(), 0.0);
     }
     std::size_t bin = 0;
     while (bin + 1 < bins && below + weight[bin] < wanted) {

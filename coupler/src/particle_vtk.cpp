@@ -1,7 +1,9 @@
 #include "slidewave/particle_vtk.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdint>
+#include <cstring>
 #include <fstream>
 #include <numeric>
 #include <stdexcept>
@@ -34,6 +36,13 @@ void put_integers(std::ofstream& out, std::vector<double> const& rows, std::size
     put(out, static_cast<std::int32_t>(rows[row + column]));
   }
   out << '\n';
+}
+
+// A full disk shows when the last bytes leave the buffer.
+void finish(std::ofstream& out, std::filesystem::path const& file) {
+  if (!out.flush()) {
+    throw std::runtime_error("cannot write " + file.string() + ": " + std::strerror(errno));
+  }
 }
 
 }  // namespace
@@ -89,9 +98,7 @@ void write_particle_vtk(std::filesystem::path const& file, std::vector<double> c
   }
   out << "VECTORS velocity float\n";
   put_floats(out, rows, 6, 3);
-  if (!out) {
-    throw std::runtime_error("cannot write " + file.string());
-  }
+  finish(out, file);
 }
 
 void write_vtk_series(std::filesystem::path const& file,
@@ -103,6 +110,7 @@ void write_vtk_series(std::filesystem::path const& file,
         << "\", \"time\": " << pictures[i].time_s << '}';
   }
   out << "\n]}\n";
+  finish(out, file);
 }
 
 }  // namespace slidewave

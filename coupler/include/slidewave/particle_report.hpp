@@ -34,6 +34,8 @@ class ParticleReport {
   std::vector<Quantity> observe(Table const& particles, double max_overlap);
   /// Writes a picture where output.interval says that one is due at `time_s`.
   void picture(Table const& particles, long window, double time_s);
+  /// For an engine with checkpoints.
+  void pass(State& state);
 
  private:
   struct Particle {
