@@ -113,15 +113,21 @@ void FieldState::passPatch(std::string const& name, fvPatchField<Type>& patch) {
 }
 
 template <class Type>
-void FieldState::passVolume(GeometricField<Type, fvPatchField, volMesh>& field) {
-  Foam::Field<Type>& cells = field.primitiveFieldRef();
-  std::string const block = field.name() + ".cells";
+void FieldState::passCells(std::string const& name, Foam::Field<Type>& cells) {
+  std::string const block = name + ".cells";
   if (state_.regrouped()) {
     regroup(block, cells, cells_, "mesh.cells");
   } else {
     state_.pass(block, doubles(cells),
                 cells.size() * static_cast<long>(sizeof(Type) / sizeof(double)));
   }
+}
+
+template void FieldState::passCells(std::string const& name, Foam::Field<vector>& cells);
+
+template <class Type>
+void FieldState::passVolume(GeometricField<Type, fvPatchField, volMesh>& field) {
+  passCells(field.name(), field.primitiveFieldRef());
   auto& boundary = field.boundaryFieldRef();
   for (fvPatchField<Type>& patch : boundary) {
     passPatch(field.name() + ".patch." + patch.patch().name(), patch);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 
 #include "FieldState.H"
@@ -66,6 +67,13 @@ ParticleKernel makeKernel(Scene const& scene, fvMesh const& mesh, MPI_Comm comm)
           CellStencil(shapesOfCells(mesh), periodOfMesh(mesh, comm), comm)};
 }
 
+// OpenFOAM says that a stream failed, not why.
+std::string fullDisk(Scene const& scene) {
+  std::error_code unknown;
+  auto const room = std::filesystem::space(scene.directory() / "fluid", unknown);
+  return !unknown && room.available < 65536 ? ": No space left on device" : "";
+}
+
 }  // namespace
 
 struct FoamEngine::Impl {
@@ -115,7 +123,9 @@ struct FoamEngine::Impl {
         output_interval_s > 0 ? std::lround(std::floor(now_s / output_interval_s + 1e-6)) : 0;
     if (due == outputs && now_s < end_s * (1 - 1e-9)) return;
     outputs = due;
-    foam.time().writeNow();
+    if (!foam.time().writeNow()) {
+      throw std::runtime_error("OpenFOAM: cannot write the fields" + fullDisk(scene));
+    }
   }
 
   void observe();
@@ -129,8 +139,11 @@ FoamEngine::FoamEngine(Scene const& scene, MPI_Comm comm) {
   Impl& self = *impl_;
   bool const coupled = scene.text("dem.engine", "none") != "none";
   bool const two_way = coupled && scene.text("coupling.reaction", "two_way") == "two_way";
-  self.flow->keepMeans(two_way, coupled && scene.flag("models.pressure_gradient", true),
+  bool const concurrent = scene.text("coupling.scheme", "serial") == "concurrent";
+  self.flow->keepMeans(two_way && !concurrent,
+                       coupled && scene.flag("models.pressure_gradient", true),
                        two_way && scene.text("coupling.regime", "auto") == "stiff");
+  if (concurrent) self.flow->carryGradient();
   self.observers = makeObservers(scene, self.foam.mesh());
   if (rank == 0) std::ofstream(scene.directory() / "fluid" / "case.foam");  // what ParaView opens
 }
@@ -238,7 +251,7 @@ void FoamEngine::advance(Window const& window) try {
   self.write(window.t1_s);
 } catch (Foam::error const& problem) {  // callers know no OpenFOAM
   Info << problem << endl;
-  throw std::runtime_error("OpenFOAM: " + problem.message());
+  throw std::runtime_error("OpenFOAM: " + problem.message() + fullDisk(impl_->scene));
 }
 
 void FoamEngine::Impl::observe() {

@@ -77,16 +77,17 @@ def prepare(case: Case, directory: Path, ranks_fluid: int | None = None,
     dem_ranks = _dem_ranks(case, known, ranks_dem) if dem else 0
     ready = Prepared(directory, known, fluid_ranks, dem_ranks, 0.0, case.get("fluid.engine"),
                      case.get("dem.engine"))
-    _choose_regime(case, ready)
+    _choose(case, ready)
     write_case(case, directory, fluid_ranks, dem_ranks)
     ready.prepare_s = time.monotonic() - start
     return ready
 
 
-def _choose_regime(case: Case, ready: Prepared) -> None:
-    from launch import regime  # which needs Prepared
+def _choose(case: Case, ready: Prepared) -> None:
+    from launch import regime, scheme  # which need Prepared
 
     regime.choose(case, ready)
+    scheme.choose(case, ready)
 
 
 def _dem_ranks(case: Case, known: facts.Facts, wanted: int | None) -> int:

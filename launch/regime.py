@@ -16,10 +16,12 @@ mild only: the check then refuses by number what is beyond it."""
     if case.get("coupling.regime") != "auto":
         return
     coupled = case.get("fluid.engine") == "openfoam" and case.get("dem.engine") in ENGINES
+    coupled = coupled and case.get("coupling.scheme") != "concurrent"  # which knows mild only
     feels = case.get("coupling.reaction") == "two_way" and case.get("models.drag") != "none"
     rows = []
     if coupled and feels and case.get("models.pressure_gradient"):
-        rows = preflight.tool_findings(scene_numbers.collect(case, ready) | {"regime": "mild"})
+        rows = preflight.tool_findings(scene_numbers.collect(case, ready)
+                                       | {"regime": "mild", "scheme": "serial"})
     stiff = any(row.quantity == RESPONSE and (row.bad or (row.verdict == "warn" and row.value <= row.limit))
                 for row in rows)
     case.put("coupling.regime", "stiff" if stiff else "mild")

@@ -18,6 +18,10 @@ FREE = ("case.end_time", "case.title", "case.default_variant", "coupling.patienc
         "check.", "output.headline", "target")
 
 
+# Chosen when the run was prepared.
+CHOSEN = (("coupling.regime", "auto"), ("coupling.scheme", "auto"))
+
+
 @dataclass
 class Checkpoint:
     """A finished checkpoint, as its manifest tells: window, time [s], ranks of both sides."""
@@ -75,7 +79,7 @@ def _changes(case: Case, kept: Case, directory: Path) -> list[str]:
     """Keys whose value in the case differs from the run's and may."""
     changed = []
     for key, value in schema.leaves({k: v for k, v in case.data.items() if k != "target"}):
-        if kept.get(key) == value or (key, value) == ("coupling.regime", "auto"):  # chosen when prepared
+        if kept.get(key) == value or (key, value) in CHOSEN:
             continue
         if not key.startswith(FREE):
             raise InputError(directory / "case.toml", key, kept.get(key),

@@ -22,6 +22,7 @@ def collect(case: Case, ready: Prepared) -> dict[str, object]:
         "gravity_m_s2": math.hypot(*case.get("physics.gravity")),
         "two_way": case.get("coupling.reaction") == "two_way",
         "regime": case.get("coupling.regime"),
+        "scheme": case.get("coupling.scheme"),
         "drag": case.get("models.drag"),
         "drag_coefficient": case.get("models.drag_coefficient"),
         "formulation": case.get("models.formulation"),
@@ -89,7 +90,8 @@ def _fluid(case: Case, ready: Prepared) -> dict[str, object]:
         dense = max(fluids)
         numbers |= {"fluid_density_kg_m3": dense[0], "fluid_viscosity_Pa_s": dense[0] * dense[1]}
     if len(fluids) > 1:
-        numbers["second_density_kg_m3"] = min(fluids)[0]
+        light = min(fluids)
+        numbers |= {"second_density_kg_m3": light[0], "second_viscosity_Pa_s": light[0] * light[1]}
         numbers["surface_tension_N_m"] = foam_dict.number(transport, "sigma")
     control = foam_dict.expanded(place / "system/controlDict", values)
     if foam_dict.entry(control, "adjustTimeStep") in ("no", "off", "false", None):

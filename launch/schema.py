@@ -31,8 +31,10 @@ KEYS: dict[str, Key] = {
     "case.end_time": Key("number", "physical time to cover", "s", above=0, required=True),
     "case.default_variant": Key("text", "variant that runs without --variant"),
     "coupling.window": Key("number", "time between two exchanges", "s", above=0, required=True),
-    "coupling.scheme": Key("text", "serial: fluid first, then particles with its result",
-                           choices=("serial",)),
+    "coupling.scheme": Key("text", "serial: fluid first, then particles with its result; concurrent: both at once, each "
+                           "with the other's last state (short windows only: docs/stability.md); auto: concurrent where "
+                           "the pre-flight check proves it and each rank has a core",
+                           choices=("serial", "concurrent", "auto")),
     "coupling.regime": Key("text", "mild: short windows, cheapest; stiff: drag right for any K W/m (docs/stability.md); "
                            "auto, the default: what the pre-flight check finds needed", choices=("auto", "mild", "stiff")),
     "coupling.patience": Key("number", "longest wait for the other side", "s", above=0),

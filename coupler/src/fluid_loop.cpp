@@ -1,4 +1,5 @@
-// The fluid side's loop: collect -> place -> deposit -> exchange -> advance -> sample -> answer.
+// The fluid side's loop: collect -> place -> deposit -> exchange -> advance -> sample -> answer. In
+// the concurrent scheme it answers with what the last window left, before it advances.
 #include <utility>
 
 #include "closures.hpp"
@@ -46,8 +47,10 @@ class FluidLoop {
     if (models_.porosity()) {
       particles_.add({"volume", "m3", 1});
     }
-    if (models_.stiff) {
+    if (models_.stiff || models_.concurrent) {
       particles_.add({"response", "kg/s", 1});
+    }
+    if (models_.stiff) {
       gravity_m_s2_ = session.scene.vector("physics.gravity");
     }
     bool const goes_on = checkpoints_.find();
@@ -68,9 +71,16 @@ class FluidLoop {
       window.stop = now.stop;
       window.checkpoint = now.checkpoint;
       report_last();
+      bool const at_once = models_.concurrent && n > 0;  // window 0 makes the first state
       begin(window);
+      if (at_once) {
+        answer(window);
+      }
       advance(window);
-      end(window);
+      if (!at_once) {
+        sample_end();
+        answer(window);
+      }
       unreported_ = n;
       if (now.checkpoint) {
         save(window);
@@ -109,6 +119,7 @@ class FluidLoop {
   }
 
   void begin(Window const& window) {
+    sums_ = FluidSums();
     {
       Scope const scope(session_.profile, Phase::void_fraction);
       engine_.place(std::as_const(particles_)["position"], cell_);
@@ -137,6 +148,9 @@ class FluidLoop {
       if (models_.stiff) {
         foresee(window.length_s(), gravity_m_s2_, particles_);
       }
+      if (models_.concurrent) {
+        take_at_once();
+      }
       Table const& read = particles_;
       engine_.exchange(read[reaction()], read["velocity"], read["repaid"]);
     }
@@ -159,27 +173,43 @@ class FluidLoop {
     }
   }
 
+  /// Concurrent: the fluid takes the drag of the window's start as a force that does not change, so
+  /// that what it gives is known when the particles are answered.
+  void take_at_once() {
+    auto const slip = particles_["fluid_velocity"] - particles_["velocity"];
+    particles_["repaid"] -= slip * particles_["drag"].row(0).asDiagonal();
+    particles_["response"].setZero();
+  }
+
   void advance(Window const& window) {
     Scope const scope(session_.profile, Phase::solve);
     engine_.advance(window);
     columns_ = engine_.quantities();
+    add_given(window.length_s());
   }
 
-  void end(Window const& window) {
+  /// Serial: particles receive what the fluid has become.
+  void sample_end() {
+    Scope const scope(session_.profile, Phase::force);
+    if (models_.drag) {
+      sample("velocity", "fluid_velocity");
+    }
+    if (models_.ledger() && !models_.concurrent) {
+      sample("mean_velocity");
+    }
+  }
+
+  void answer(Window const& window) {
     {
       Scope const scope(session_.profile, Phase::force);
-      if (models_.drag) {
-        sample("velocity", "fluid_velocity");
-      }
       if (models_.ledger()) {
-        sample("mean_velocity");
         book(window.length_s());
       }
       if (models_.pressure_gradient) {
         sample("pressure_gradient");
         evaluate_force(particles_);
+        add_pressure();
       }
-      sums_ = add_up(window.length_s());
       if (models_.stiff) {
         sample("drag_reaction");
         answer_in_kick_form(window.length_s(), agreed_.in_plane, particles_);
@@ -191,34 +221,40 @@ class FluidLoop {
   }
 
   /// The column of what acts on the fluid per slip.
-  char const* reaction() const { return models_.stiff ? "response" : "drag"; }
+  char const* reaction() const { return models_.stiff || models_.concurrent ? "response" : "drag"; }
 
   /// What each particle's share of the source took from the fluid, less what was paid back.
   void book(double length_s) {
+    if (models_.concurrent) {
+      particles_["given"] = -length_s * particles_["repaid"];
+      return;
+    }
     auto const drag = particles_[reaction()];
     auto const slip = particles_["mean_velocity"] - particles_["velocity"];
     particles_["given"] = length_s * (slip * drag.row(0).asDiagonal() - particles_["repaid"]);
   }
 
-  FluidSums add_up(double window_s) {
-    FluidSums sums;
+  void add_given(double window_s) {
     if (models_.ledger()) {
-      Eigen::Map<Vec3>(sums.given) = engine_.given_impulse();
+      Eigen::Map<Vec3>(sums_.given) = engine_.given_impulse();
       if (models_.stiff) {
-        Eigen::Map<Vec3>(sums.given) += window_s * engine_.solid_reaction_force();
+        Eigen::Map<Vec3>(sums_.given) += window_s * engine_.solid_reaction_force();
       }
-      Eigen::Map<Vec3>(sums.ledger_in_air) = ledger_in_air_;
+      Eigen::Map<Vec3>(sums_.ledger_in_air) = ledger_in_air_;
     }
     if (models_.porosity()) {
-      sums.solid_volume_m3 = engine_.solid_volume_m3();
+      sums_.solid_volume_m3 = engine_.solid_volume_m3();
     }
-    if (models_.porosity() && models_.pressure_gradient) {
-      Eigen::Map<Vec3>(sums.cell_pressure) = engine_.solid_pressure_force();
-      auto const force = particles_["force"];
-      Eigen::Map<Vec3>(sums.particle_pressure) = -force.rowwise().sum();
-      sums.particle_pressure_abs = force.colwise().norm().sum();
+  }
+
+  void add_pressure() {
+    if (!models_.porosity()) {
+      return;
     }
-    return sums;
+    Eigen::Map<Vec3>(sums_.cell_pressure) = engine_.solid_pressure_force();
+    auto const force = particles_["force"];
+    Eigen::Map<Vec3>(sums_.particle_pressure) = -force.rowwise().sum();
+    sums_.particle_pressure_abs = force.colwise().norm().sum();
   }
 
   /// The row of a finished window: the particle side's part comes after its advance.

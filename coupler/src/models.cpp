@@ -31,7 +31,8 @@ double positive(Scene const& scene, std::string const& key, double value) {
 
 Models Models::from(Scene const& scene) {
   Models models;
-  choice(scene, "coupling.scheme", "serial", {"serial"});
+  models.concurrent =
+      choice(scene, "coupling.scheme", "serial", {"serial", "concurrent", "auto"}) == "concurrent";
   choice(scene, "models.formulation", "A", {"A"});
   std::vector<std::string> laws = drag_law_names();
   laws.emplace_back("none");
@@ -50,6 +51,12 @@ Models Models::from(Scene const& scene) {
   if (models.stiff && !models.pressure_gradient) {
     throw InputError((scene.directory() / "case.toml").string(), "coupling.regime", "\"stiff\"",
                      "needs models.pressure_gradient = true: drag reaches particles through it");
+  }
+  if (models.stiff && models.concurrent) {
+    throw InputError((scene.directory() / "case.toml").string(), "coupling.scheme",
+                     "\"concurrent\"",
+                     "is for the mild regime: set coupling.regime = \"mild\" and a shorter window, "
+                     "or coupling.scheme = \"serial\"");
   }
   std::string const outside =
       choice(scene, "coupling.outside", "error", {"error", "warn", "ignore"});
@@ -81,7 +88,7 @@ std::vector<Need> Models::needs() const {
       needs.push_back({{"void_fraction", "-", 1}, "drag"});
     }
   }
-  if (ledger()) {
+  if (ledger() && !concurrent) {
     needs.push_back({{"mean_velocity", "m/s", 3}, "two-way momentum"});
   }
   if (stiff) {
@@ -112,8 +119,11 @@ std::vector<Feature> Models::features() const {
       {"porosity", porosity(),
        porosity() ? "the fluid sees the particles' volume" : "coupling.reaction = \"one_way\""},
       {"momentum reaction and ledger", ledger(),
-       ledger() ? "drag implicit in the fluid, remainder repaid"
+       ledger() ? (concurrent ? "drag of the window's start on both sides, remainder repaid"
+                              : "drag implicit in the fluid, remainder repaid")
                 : (drag ? "coupling.reaction = \"one_way\"" : "no drag")},
+      {"concurrent", concurrent,
+       concurrent ? "both sides advance at once" : "serial: the fluid goes first"},
       {"stiff regime", stiff,
        stiff      ? "grains foreseen as oscillators, drag taken out of the pressure"
        : ledger() ? "coupling.regime is mild"

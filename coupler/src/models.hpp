@@ -24,6 +24,7 @@ struct Models {
   bool pressure_gradient = true;
   bool two_way = true;
   bool stiff = false;             ///< drag right for any K W/m; the mild form costs less
+  bool concurrent = false;        ///< both sides advance at once; else the fluid goes first
   double coarse_grain = 1;        ///< alpha: particle diameter over grain diameter
   double smoothing_length_m = 0;  ///< kernel length, two-way only
   Outside outside = Outside::error;

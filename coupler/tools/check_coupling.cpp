@@ -5,6 +5,7 @@
 #include "checks.hpp"
 #include "slidewave/physics/drag_models.hpp"
 #include "slidewave/physics/limits/added_mass_number.hpp"
+#include "slidewave/physics/limits/concurrent.hpp"
 #include "slidewave/physics/limits/courant.hpp"
 #include "slidewave/physics/limits/drag_response.hpp"
 #include "slidewave/physics/limits/skeleton_wave.hpp"
@@ -14,8 +15,17 @@ namespace {
 
 constexpr double usual_solid_fraction = 0.6;
 
+struct Fluid {
+  double density_kg_m3;
+  double viscosity_Pa_s;
+};
+
+Fluid denser(Facts const& facts) {
+  return {facts.number("fluid_density_kg_m3"), facts.number("fluid_viscosity_Pa_s")};
+}
+
 /// K [kg/s] of the smallest particle with the case's own law.
-double drag_of(Facts const& facts, double slip_m_s, double eps) {
+double drag_of(Facts const& facts, Fluid const& fluid, double slip_m_s, double eps) {
   DragModel const model =
       drag_model(facts.text("drag", "di_felice"), facts.text("drag_coefficient", "brown_lawler"),
                  facts.text("formulation", "A"));
@@ -23,9 +33,8 @@ double drag_of(Facts const& facts, double slip_m_s, double eps) {
   Eigen::MatrixXd fluid_velocity = Eigen::MatrixXd::Zero(3, 1);
   fluid_velocity(0, 0) = slip_m_s;
   Eigen::MatrixXd const radius = one(facts.number("diameter_min_m") / 2),
-                        rest = Eigen::MatrixXd::Zero(3, 1),
-                        density = one(facts.number("fluid_density_kg_m3")),
-                        viscosity = one(facts.number("fluid_viscosity_Pa_s")), voids = one(eps);
+                        rest = Eigen::MatrixXd::Zero(3, 1), density = one(fluid.density_kg_m3),
+                        viscosity = one(fluid.viscosity_Pa_s), voids = one(eps);
   Eigen::MatrixXd drag(1, 1);
   drag_coefficients(
       model,
@@ -36,21 +45,24 @@ double drag_of(Facts const& facts, double slip_m_s, double eps) {
 
 /// K in a packed bed at the slip at which drag carries the weight of the submerged particle: a bed
 /// that is swept faster flies apart.
-double packed_drag(Facts const& facts, double eps, double largest_slip) {
-  double const weight =
-      eps * sphere_volume(facts.number("diameter_min_m")) *
-      std::abs(facts.number("particle_density_min_kg_m3") - facts.number("fluid_density_kg_m3")) *
-      facts.number("gravity_m_s2", 9.81);
+double packed_drag(Facts const& facts, Fluid const& fluid, double eps, double largest_slip) {
+  double const weight = eps * sphere_volume(facts.number("diameter_min_m")) *
+                        std::abs(facts.number("particle_density_min_kg_m3") - fluid.density_kg_m3) *
+                        facts.number("gravity_m_s2", 9.81);
   double low = 0, high = largest_slip;
   for (int i = 0; i < 60; ++i) {
     double const slip = (low + high) / 2;
-    (drag_of(facts, slip, eps) * slip < weight ? low : high) = slip;
+    (drag_of(facts, fluid, slip, eps) * slip < weight ? low : high) = slip;
   }
-  return drag_of(facts, high, eps);
+  return drag_of(facts, fluid, high, eps);
 }
 
 bool stiff(Facts const& facts) {
   return facts.text("regime", "mild") == "stiff" && facts.flag("two_way", true);
+}
+
+bool concurrent(Facts const& facts) {
+  return facts.text("scheme", "serial") == "concurrent" && facts.flag("two_way", true);
 }
 
 /// The drag of the smallest particle where it is largest.
@@ -61,13 +73,14 @@ struct Response {
   double x;  ///< K W/m
 };
 
-Response response_of(Facts const& facts) {
+Response response_of(Facts const& facts, Fluid const& fluid) {
   double const slip = facts.has("slip_m_s") ? facts.number("slip_m_s") : facts.number("speed_m_s");
   // One-way, the law sees no void fraction.
   double const phi = facts.flag("two_way", true) ? solid_fraction(facts) : 0;
   double const mass =
       facts.number("particle_density_min_kg_m3") * sphere_volume(facts.number("diameter_min_m"));
-  double const drag = std::max(drag_of(facts, slip, 1), packed_drag(facts, 1 - phi, slip));
+  double const drag =
+      std::max(drag_of(facts, fluid, slip, 1), packed_drag(facts, fluid, 1 - phi, slip));
   return {drag, mass, phi, limits::stiffness(drag, facts.number("window_s"), mass)};
 }
 
@@ -91,13 +104,13 @@ void check_stiffness(Facts const& facts, Sheet& sheet) {
     return;
   }
   bool const two_way = facts.flag("two_way", true);
-  auto const [drag, mass, phi, x] = response_of(facts);
+  auto const [drag, mass, phi, x] = response_of(facts, denser(facts));
   double const window = facts.number("window_s");
   double const loading = limits::loading(phi, facts.number("particle_density_min_kg_m3"),
                                          facts.number("fluid_density_kg_m3"));
   // A fluid that hardly feels the particles cannot answer them wrongly: only the mixture must be
   // mild then, and one-way nothing must.
-  bool const answers = two_way && x * loading > limits::mild_stiffness;
+  bool const answers = two_way && (x * loading > limits::mild_stiffness || concurrent(facts));
   double const comfort =
       phi > limits::dense_solid_fraction ? limits::dense_mild_stiffness : limits::mild_stiffness;
   if (stiff(facts)) {
@@ -123,11 +136,37 @@ void check_stiffness(Facts const& facts, Sheet& sheet) {
   }
 }
 
+/// What the drag takes from the fluid of a cell in a window, of either fluid.
+void check_concurrent(Facts const& facts, Sheet& sheet) {
+  std::string const quantity = "drag on the fluid of a cell in a window, K W/m_fluid";
+  if (!concurrent(facts) || !tells_response(facts, sheet, quantity)) {
+    return;
+  }
+  std::vector<Fluid> fluids{denser(facts)};
+  if (facts.has("second_density_kg_m3")) {
+    if (!sheet.needs(facts, quantity, {"second_viscosity_Pa_s"})) {
+      return;
+    }
+    fluids.push_back({facts.number("second_density_kg_m3"), facts.number("second_viscosity_Pa_s")});
+  }
+  double most = 0;
+  for (Fluid const& fluid : fluids) {
+    Response const response = response_of(facts, fluid);
+    double const loading = limits::loading(
+        response.solid_fraction, facts.number("particle_density_min_kg_m3"), fluid.density_kg_m3);
+    most = std::max(most, limits::fluid_stiffness(response.x, loading));
+  }
+  double const limit = limits::concurrent_fluid_stiffness;
+  sheet.at_most(quantity, most, limit, limit,
+                "concurrent: beyond it slips ring; coupling.scheme = \"serial\" has no such limit",
+                {"coupling.window", facts.number("window_s") * limit / most});
+}
+
 /// Stiff regime with drag strong enough to damp what the lag of the added mass feeds.
 bool drag_damps(Facts const& facts, double from_stiffness) {
   Sheet unseen;
   return stiff(facts) && facts.text("drag", "di_felice") != "none" &&
-         tells_response(facts, unseen, "") && response_of(facts).x >= from_stiffness;
+         tells_response(facts, unseen, "") && response_of(facts, denser(facts)).x >= from_stiffness;
 }
 
 void check_added_mass(Facts const& facts, Sheet& sheet) {
@@ -139,8 +178,10 @@ void check_added_mass(Facts const& facts, Sheet& sheet) {
   if (sheet.needs(facts, quantity, {"particle_density_min_kg_m3", "fluid_density_kg_m3"})) {
     double const comfort =
         stiff(facts) ? limits::mild_added_mass_number : limits::comfortable_added_mass_number;
-    double const limit = drag_damps(facts, limits::mild_stiffness) ? limits::stiff_added_mass_number
-                                                                   : limits::mild_added_mass_number;
+    double const limit = concurrent(facts) ? limits::concurrent_added_mass_number
+                         : drag_damps(facts, limits::mild_stiffness)
+                             ? limits::stiff_added_mass_number
+                             : limits::mild_added_mass_number;
     double const number =
         limits::added_mass_number(solid_fraction(facts), facts.number("particle_density_min_kg_m3"),
                                   facts.number("fluid_density_kg_m3"));
@@ -175,9 +216,13 @@ void check_waves(Facts const& facts, Sheet& sheet) {
                                   contact_scale(facts).stiffness * facts.number("stiffness_N_m"));
   double const window = facts.number("window_s");
   double const run = limits::wave_run(speed, window, facts.number("smoothing_length_m"));
-  sheet.at_most(quantity, run, limits::comfortable_wave_run, limits::largest_wave_run,
-                "added mass that acts a window late feeds faster waves",
-                {"coupling.window", window * limits::comfortable_wave_run / run});
+  double const comfort =
+      concurrent(facts) ? limits::comfortable_concurrent_wave_run : limits::comfortable_wave_run;
+  double const limit =
+      concurrent(facts) ? limits::largest_concurrent_wave_run : limits::largest_wave_run;
+  sheet.at_most(quantity, run, comfort, limit,
+                "added mass that acts windows late feeds faster waves",
+                {"coupling.window", window * comfort / run});
 }
 
 void check_crossing(Facts const& facts, Sheet& sheet) {
@@ -212,6 +257,7 @@ void check_coupling(Facts const& facts, Sheet& sheet) {
     sheet.left_out("response of the drag", "models.drag = \"none\"");
   } else {
     check_stiffness(facts, sheet);
+    check_concurrent(facts, sheet);
   }
   check_added_mass(facts, sheet);
   check_waves(facts, sheet);

@@ -54,6 +54,7 @@ std::vector<std::string> const& known_facts() {
                                               "gravity_m_s2",
                                               "two_way",
                                               "regime",
+                                              "scheme",
                                               "dem_dt_s",
                                               "coarse_grain",
                                               "smoothing_length_m",
@@ -77,6 +78,7 @@ std::vector<std::string> const& known_facts() {
                                               "fluid_density_kg_m3",
                                               "fluid_viscosity_Pa_s",
                                               "second_density_kg_m3",
+                                              "second_viscosity_Pa_s",
                                               "surface_tension_N_m",
                                               "fluid_dt_s",
                                               "cells",
@@ -107,6 +109,7 @@ void add_case(Scene const& scene, Facts& facts) {
   }
   facts.add_missing("two_way", scene.text("coupling.reaction", "two_way") == "two_way");
   facts.add_missing("regime", scene.text("coupling.regime", "mild"));
+  facts.add_missing("scheme", scene.text("coupling.scheme", "serial"));
   facts.add_missing("drag", scene.text("models.drag", "di_felice"));
   facts.add_missing("drag_coefficient", scene.text("models.drag_coefficient", "brown_lawler"));
   facts.add_missing("formulation", scene.text("models.formulation", "A"));

@@ -1,7 +1,7 @@
 // The measured numbers of a scene that the pre-flight check works from: one flat JSON object, SI
 // units in the names. All are optional: a check whose numbers are missing is left out and says so.
 //
-//   window_s end_time_s gravity_m_s2 two_way regime       case.toml has these too; facts win
+//   window_s end_time_s gravity_m_s2 two_way regime scheme  case.toml has these too; facts win
 //   dem_dt_s coarse_grain smoothing_length_m
 //   drag drag_coefficient formulation                     names of coupler/physics/drag_models.hpp
 //   particles diameter_min_m diameter_max_m               number of particles, their sizes
@@ -16,7 +16,8 @@
 //   speed_m_s                                             fastest particle or fluid expected
 //   slip_m_s                                              largest |u_f - v| (default speed_m_s)
 //   fluid_density_kg_m3 fluid_viscosity_Pa_s              the denser fluid
-//   second_density_kg_m3 surface_tension_N_m              of a free surface
+//   second_density_kg_m3 second_viscosity_Pa_s            of the fluid above a free surface
+//   surface_tension_N_m
 //   fluid_dt_s                                            fixed fluid step; absent where adaptive
 //   cells cell_size_m smallest_cell_m
 //   ranks memory_available_bytes particle_steps_per_s cell_steps_per_s

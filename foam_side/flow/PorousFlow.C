@@ -248,6 +248,7 @@ void PorousFlow::pass(FieldState& fields) {
   fields.pass(phi_);
   fields.pass(F_);
   fields.pass(rate_);
+  if (carryGradient_) fields.passCells("meanGradP", meanGradP_);
   State& state = fields.state();
   stepSize_.pass(state);
   state.pass("flow.steps", steps_);

@@ -37,7 +37,7 @@ TEST(Models, RefusesWhatItDoesNotKnow) {
   std::string const one_way = "[coupling]\nreaction = \"one_way\"\n";
   EXPECT_THROW(read("[coupling]\nreaction = \"both\"\n"), InputError);
   EXPECT_THROW(read(one_way + "outside = \"lose\"\n"), InputError);
-  EXPECT_THROW(read(one_way + "scheme = \"concurrent\"\n"), InputError);
+  EXPECT_THROW(read(one_way + "scheme = \"sereal\"\n"), InputError);
   EXPECT_THROW(read(one_way + "[models]\ndrag = 3\n"), InputError);
   EXPECT_THROW(read(one_way + "[models]\nformulation = \"C\"\n"), InputError);
   EXPECT_THROW(read(one_way + "[parameters]\ncoarse_grain = -1\n"), InputError);
@@ -56,6 +56,16 @@ TEST(Models, StiffRegimeAsksForMoreAndOnlyThere) {
   EXPECT_THROW(read(two_way + "regime = \"hard\"\n"), InputError);
   EXPECT_THROW(read(two_way + "regime = \"stiff\"\n[models]\npressure_gradient = false\n"),
                InputError);
+}
+
+TEST(Models, ConcurrentIsMildAndNeedsNoMeanVelocity) {
+  std::string const two_way = "[coupling]\nsmoothing_length = 1.0\n";
+  EXPECT_FALSE(read(two_way).concurrent);
+  EXPECT_FALSE(read(two_way + "scheme = \"auto\"\n").concurrent);  // the command line chooses
+  Models const models = read(two_way + "scheme = \"concurrent\"\n");
+  EXPECT_TRUE(models.concurrent);
+  EXPECT_EQ(models.needs().size(), read(two_way).needs().size() - 1);
+  EXPECT_THROW(read(two_way + "scheme = \"concurrent\"\nregime = \"stiff\"\n"), InputError);
 }
 
 TEST(Models, NoneIsNothing) {

@@ -2,7 +2,9 @@
 
 import json
 import unittest
+from unittest import mock
 
+from launch.case import read_toml
 from tests.launch.scratch import ScratchCase
 
 
@@ -34,6 +36,29 @@ class Check(ScratchCase):
         self.assertIn("parameters.dem_dt", out)
         self.assertIn("--force", err)
         self.assertEqual(self.dry_run(*stiff, "--force")[0], 0)
+
+    def scheme(self, cores: int, *more: str) -> str:
+        """What coupling.scheme = "auto" becomes for a machine with so many cores."""
+        with mock.patch("launch.ranks.cores", return_value=cores):
+            status, _, err = self.dry_run("--set", "coupling.scheme=auto", "--ranks-fluid", "1", "--ranks-dem", "1",
+                                          "--overwrite", *more)
+        self.assertEqual(status, 0, err)
+        return read_toml(self.place / "run/case.toml")["coupling"]["scheme"]
+
+    def test_scheme_is_chosen(self) -> None:
+        self.assertEqual(self.scheme(2), "concurrent")
+        self.assertEqual(self.scheme(1), "serial")
+        self.assertEqual(self.scheme(2, "--set", "coupling.window=1e-3"), "serial")  # K W/m = 0.46
+        self.assertEqual(self.scheme(2, "--variant", "uniform"), "serial")  # nothing to gain
+
+    def test_concurrent_is_refused_by_number(self) -> None:
+        beyond = ("--set", "coupling.scheme=concurrent", "--set", "coupling.window=1e-3")
+        status, rows = self.findings(*beyond)
+        bad = [r for r in rows if r["verdict"] == "bad"]
+        self.assertEqual((status, [r["key"] for r in bad]), (1, ["coupling.window"]))
+        self.assertLess(bad[0]["limit"], bad[0]["value"])
+        self.assertGreater(bad[0]["works"], 5e-4)
+        self.assertEqual(self.findings(*beyond[:2])[0], 0)  # 5e-4 s, the case's own
 
 
 if __name__ == "__main__":

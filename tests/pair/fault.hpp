@@ -37,6 +37,9 @@ inline void break_down(slidewave::Session const& session, std::string const& sid
   if (window == 20 && fault(session, side + "_signalled")) {
     kill(getpid(), SIGTERM);
   }
+  if (window > 0 && fault(session, "slow")) {  // both sides
+    usleep(200000);
+  }
   if (window != 5) {
     return;
   }

@@ -22,6 +22,7 @@ name = "fakes"
 end_time = {end_time}
 [coupling]
 window = {window}
+scheme = "{scheme}"
 smoothing_length = 0.1
 patience = {patience}
 reaction = "{reaction}"
@@ -46,8 +47,8 @@ radius = 0.02
 particle_density = 2650.0
 fault = "{fault}"
 """
-DEFAULTS = dict(end_time=0.2, window=0.01, patience=30.0, reaction="two_way", regime="mild", outside="error",
-                drag="di_felice", fluid_engine="fake", particles=500, fault="", viscosity=0.001)
+DEFAULTS = dict(end_time=0.2, window=0.01, patience=30.0, reaction="two_way", regime="mild", scheme="serial",
+                outside="error", drag="di_felice", fluid_engine="fake", particles=500, fault="", viscosity=0.001)
 
 
 class Run:
@@ -170,6 +171,46 @@ def stiff(options):
         found = Run(options, "stiff_" + fault, fault=fault, regime="stiff",
                     viscosity=10.0).must_pass().summary()["budgets"]
         assert found["momentum_defect"] > 1e-6, (fault, found)
+
+
+def concurrent(options):
+    """Both sides at once: the same budgets on any ranks, errors of first order in the window against the
+    serial scheme's limit, half the time where both sides take as long, and slips that ring beyond
+    exp(-K W/m) = K W/m_fluid. A budget still sees what is dropped."""
+    rows = []
+    for fluid, dem in ((1, 1), (2, 3)):
+        run = Run(options, f"concurrent_{fluid}_{dem}", fluid, dem, scheme="concurrent").must_pass()
+        found = run.summary()["budgets"]
+        for name in ("momentum_defect", "solid_volume_defect", "pressure_defect"):
+            assert found[name] < 1e-12, found
+        assert run.summary()["scheme"] == "concurrent"
+        rows.append(run.rows())
+    for one, two in zip(*rows):
+        for key in one:
+            if not key.endswith("_defect"):
+                assert abs(one[key] - two[key]) <= 1e-9 * max(1, abs(one[key])), (key, one, two)
+    for fault in ("drop_cell", "drop_rank", "drop_substep"):
+        found = Run(options, "concurrent_" + fault, fault=fault, scheme="concurrent").must_pass().summary()["budgets"]
+        assert found["momentum_defect"] > 1e-6, (fault, found)
+
+    def exchanged(scheme, window):
+        run = Run(options, f"order_{scheme}_{window:g}", 1, 1, scheme=scheme, window=window, viscosity=1.0)
+        return sum(row["received_x_kg_m_s"] for row in run.must_pass().rows())
+
+    limit = 2 * exchanged("serial", 6.25e-4) - exchanged("serial", 1.25e-3)
+    errors = [abs(exchanged("concurrent", window) / limit - 1) for window in (0.01, 0.005, 0.0025)]
+    assert errors[0] < 0.05, errors
+    for coarse, fine in zip(errors, errors[1:]):
+        assert 1.7 < coarse / fine < 2.4, errors
+
+    wall_s = {scheme: Run(options, "slow_" + scheme, 1, 1, scheme=scheme, fault="slow", end_time=0.1).must_pass()
+              .summary()["wall_s"] for scheme in ("serial", "concurrent")}
+    assert wall_s["concurrent"] < wall_s["serial"] - 1.2, wall_s  # 10 windows of 2 x 200 ms
+
+    ringing = Run(options, "ringing", 1, 1, scheme="concurrent", viscosity=700.0).must_pass().rows()
+    signs = [row["received_x_kg_m_s"] > 0 for row in ringing[1:7]]
+    assert signs == [True, False] * 3, signs
+    Run(options, "both", scheme="concurrent", regime="stiff").must_fail(2, "coupling.scheme", "mild regime")
 
 
 def one_way(options):

@@ -96,8 +96,9 @@ def bit_for_bit(options):
 
 
 def one_way_and_dry(options):
-    """Without a ledger, in the stiff regime, and without a fluid."""
-    for name, values in (("one_way", {"reaction": "one_way"}), ("stiff", {"regime": "stiff"})):
+    """Without a ledger, in the stiff regime, with both sides at once, and without a fluid."""
+    for name, values in (("one_way", {"reaction": "one_way"}), ("stiff", {"regime": "stiff"}),
+                         ("concurrent", {"scheme": "concurrent"})):
         whole = first(options, name, **values)
         same(whole, Again(options, whole, name + "_again").prepare(drop(40)).go().must_pass())
     dry = Run(options, "dry", fluid=0, dem=2, case=text(fluid_engine="none")).must_pass()

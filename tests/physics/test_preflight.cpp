@@ -131,6 +131,53 @@ TEST(Preflight, StiffDragDampsWhatTheLagOfTheAddedMassFeeds) {
   EXPECT_EQ(row_of(examine(values), "added-mass number rho_f phi/(rho_s eps)").verdict, "bad");
 }
 
+/// A slow, loosely packed slide in short windows, which both schemes carry.
+json sound_at_once() {
+  json values = sound();
+  values["scheme"] = "concurrent";
+  values["window_s"] = 5e-3;
+  values["speed_m_s"] = 20;
+  values["second_viscosity_Pa_s"] = 1.8e-5;
+  return values;
+}
+
+TEST(Preflight, ConcurrentIsRefusedByNumberBeyondItsLimits) {
+  std::string const on_fluid = "drag on the fluid of a cell in a window, K W/m_fluid",
+                    on_grain = "response of the drag in a window, K W/m",
+                    added_mass = "added-mass number rho_f phi/(rho_s eps)",
+                    waves = "kernels that a contact wave runs in a window";
+  EXPECT_FALSE(examine(sound_at_once()).any_bad()) << as_table(examine(sound_at_once()));
+  struct Beyond {
+    char const* fact;
+    double value;
+    std::string quantity;
+  };
+  for (Beyond const& beyond :
+       {Beyond{"fluid_viscosity_Pa_s", 5e3, on_fluid},
+        Beyond{"second_viscosity_Pa_s", 10, on_fluid},
+        Beyond{"fluid_viscosity_Pa_s", 3e4, on_grain},
+        Beyond{"particle_density_min_kg_m3", 2000, added_mass}, Beyond{"window_s", 0.025, waves}}) {
+    json values = sound_at_once();
+    values[beyond.fact] = beyond.value;
+    Row const row = row_of(examine(values), beyond.quantity);
+    EXPECT_EQ(row.verdict, "bad") << beyond.fact << "\n" << as_table(examine(values));
+    values["scheme"] = "serial";
+    bool const known = beyond.quantity != on_fluid && beyond.quantity != on_grain;
+    if (known) {
+      EXPECT_NE(row_of(examine(values), beyond.quantity).verdict, "bad") << beyond.fact;
+    }
+    if (row.key == "coupling.window") {
+      values["scheme"] = "concurrent";
+      values["window_s"] = *row.works * 0.999999;
+      EXPECT_EQ(row_of(examine(values), beyond.quantity).verdict, "ok") << beyond.fact;
+    }
+  }
+  json one_way = sound_at_once();
+  one_way["two_way"] = false;
+  one_way["fluid_viscosity_Pa_s"] = 3e4;
+  EXPECT_FALSE(examine(one_way).any_bad());
+}
+
 TEST(Preflight, StepThatWorksDividesTheWindow) {
   json values = sound();
   values["dem_dt_s"] = 4e-3;

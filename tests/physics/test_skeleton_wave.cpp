@@ -5,21 +5,28 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "slidewave/physics/limits/concurrent.hpp"
 #include "slidewave/physics/limits/contact_step.hpp"
 #include "slidewave/physics/limits/skeleton_wave.hpp"
 
 namespace slidewave {
 namespace {
 
-/// y'' = -w^2 y - S a_late with W = 1, a_late = y_n - 2 y_(n-1) + y_(n-2) of the window ends.
-double growth(double w, double added_mass_number) {
+/// y'' = -w^2 y - S a_late with W = 1, a_late the second difference of the last three window ends;
+/// one window `older` in the concurrent scheme.
+double growth(double w, double added_mass_number, bool older = false) {
   double const from_force = (1 - std::cos(w)) / (w * w);
-  Eigen::RowVector4d const late = -added_mass_number * Eigen::RowVector4d(1, 0, -2, 1);
-  Eigen::Matrix4d map = Eigen::Matrix4d::Zero();  // of (y_n, v_n, y_(n-1), y_(n-2))
-  map.row(0) = Eigen::RowVector4d(std::cos(w), std::sin(w) / w, 0, 0) + from_force * late;
-  map.row(1) = Eigen::RowVector4d(-w * std::sin(w), std::cos(w), 0, 0) + std::sin(w) / w * late;
-  map(2, 0) = 1;
-  map(3, 2) = 1;
+  Eigen::RowVectorXd late(5);  // of (y_n, v_n, y_(n-1), y_(n-2), y_(n-3))
+  late << (older ? Eigen::RowVectorXd{{0, 0, 1, -2, 1}} : Eigen::RowVectorXd{{1, 0, -2, 1, 0}});
+  late *= -added_mass_number;
+  Eigen::MatrixXd map = Eigen::MatrixXd::Zero(5, 5);
+  map.row(0) = from_force * late;
+  map.row(1) = std::sin(w) / w * late;
+  map(0, 0) += std::cos(w);
+  map(0, 1) += std::sin(w) / w;
+  map(1, 0) += -w * std::sin(w);
+  map(1, 1) += std::cos(w);
+  map(2, 0) = map(3, 2) = map(4, 3) = 1;
   return map.eigenvalues().cwiseAbs().maxCoeff();
 }
 
@@ -36,6 +43,23 @@ TEST(SkeletonWave, FasterOnesAreFed) {
     EXPECT_GT(growth(w, 0.57), 1.02) << w;
   }
   EXPECT_LT(growth(3, 1e-3), 1.001);  // air
+}
+
+TEST(SkeletonWave, ConcurrentlyTheyAreFedEarlier) {
+  for (double const s : {0.05, 0.15, 0.3, limits::concurrent_added_mass_number}) {
+    for (double w = 0.05; w <= limits::comfortable_concurrent_wave_run; w += 0.05) {
+      EXPECT_LE(growth(w, s, true), 1 + 1e-9) << w << " " << s;
+    }
+  }
+  for (auto const& [s, w] : {std::pair(1.0, 0.56), {0.57, 0.94}, {0.05, 1.24}}) {
+    EXPECT_LE(growth(w - 0.02, s, true), 1 + 1e-9) << s;
+    EXPECT_GT(growth(w + 0.02, s, true), 1) << s;
+  }
+  // Long waves show the limit of the added mass itself.
+  EXPECT_LT(growth(0.01, 1.2, true), 1);
+  EXPECT_GT(growth(0.01, 1.3, true), 1);
+  EXPECT_LT(growth(0.01, 1.95), 1);
+  EXPECT_GT(growth(0.01, 2.05), 1);
 }
 
 TEST(SkeletonWave, SpeedOfAChain) {

@@ -5,7 +5,7 @@
 //   session.state("gravity", "0 0 -9.81");      // facts both sides must agree about
 //   return run(session, engine);               // handshake, windows, budgets, leave
 //
-// One window, serial order (fluid first; docs/tour.md has a paragraph a stage):
+// One window, serial order (fluid first; concurrently it answers before it advances; docs/tour.md):
 //   particles: gather -> send          receive -> apply -> advance
 //   fluid:        collect -> place -> deposit -> exchange -> advance -> sample -> answer
 #pragma once

@@ -85,9 +85,9 @@ class FluidEngine : public Engine {
   virtual void exchange(Table::ConstColumn drag_kg_s, Table::ConstColumn velocity_m_s,
                         Table::ConstColumn force_N) = 0;
   virtual void advance(Window const& window) = 0;
-  /// Values at the particles by the exact transpose of deposit and smoothing. velocity and
-  /// mean_velocity (time mean of each fluid step's final velocity over the last advance) are
-  /// weighted by density x void fraction at window start.
+  /// Values at the particles by the exact transpose of deposit and smoothing, of the last advance;
+  /// concurrently also asked for before the next. velocity and mean_velocity (time mean of each
+  /// fluid step's final velocity) are weighted by density x void fraction at window start.
   virtual void sample(std::string const& field, Table::Column out) = 0;
 
   /// Momentum [kg m/s] that left the fluid through exchange() during the last advance, this rank's
