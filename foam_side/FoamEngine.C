@@ -14,6 +14,8 @@
 #include "World.H"
 #include "cyclicPolyPatch.H"
 #include "graphOfMesh.H"
+#include "labelVector.H"
+#include "processorCyclicPolyPatch.H"
 
 namespace slidewave::foam {
 namespace {
@@ -33,18 +35,21 @@ Vec3 vec3(vector const& v) {
   return {v.x(), v.y(), v.z()};
 }
 
-// One letter an axis: e empty (not solved), p periodic, b bounded.
+// One letter an axis: e empty (not solved), p periodic, b bounded. Where the mesh is cut across a
+// periodic direction, its cyclic faces are processorCyclic ones of some of the ranks.
 std::string boundaryLetters(fvMesh const& mesh) {
-  std::string letters = "bbb";
-  for (direction d = 0; d < vector::nComponents; ++d) {
-    if (mesh.geometricD()[d] < 0) letters[d] = 'e';
-  }
+  labelVector periodic(0, 0, 0);
   for (polyPatch const& patch : mesh.boundaryMesh()) {
-    if (!isA<cyclicPolyPatch>(patch)) continue;
+    if (!isA<cyclicPolyPatch>(patch) && !isA<processorCyclicPolyPatch>(patch)) continue;
     vector const separation = cmptMag(sum(patch.faceAreas()));
     for (direction d = 0; d < vector::nComponents; ++d) {
-      if (separation[d] > 0.9 * mag(separation)) letters[d] = 'p';
+      if (separation[d] > 0.9 * mag(separation)) periodic[d] = 1;
     }
+  }
+  reduce(periodic, maxOp<labelVector>());
+  std::string letters = "bbb";
+  for (direction d = 0; d < vector::nComponents; ++d) {
+    letters[d] = periodic[d] ? 'p' : mesh.geometricD()[d] < 0 ? 'e' : 'b';
   }
   return letters;
 }
