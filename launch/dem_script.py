@@ -13,6 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
+from launch import dem_lattice
 from launch.errors import InputError
 
 OPERATORS = {ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul,
@@ -86,6 +87,8 @@ def read(script: Path, parameters: Path | None = None) -> DemScene:
     regions: dict[str, np.ndarray] = {}
     diameter = density = None
     singles: list[list[float]] = []
+    lattice: list[str] = []
+    filled: list[np.ndarray | None] = []
     for file in filter(None, (parameters, script)):
         for words in _lines(file, variables, script.parent):
             scene.commands.append(words)
@@ -94,7 +97,7 @@ def read(script: Path, parameters: Path | None = None) -> DemScene:
                 _set_variable(variables, rest)
             elif command == "boundary" and len(rest) >= 3:
                 scene.periodic = tuple(w == "p" for w in rest[:3])
-            elif command == "region" and len(rest) >= 8 and rest[1] == "block":
+            elif command == "region" and len(rest) >= 8 and rest[1] == "block" and "box" in rest[8:]:
                 regions[rest[0]] = _block(rest[2:8])
             elif command == "create_box" and len(rest) >= 2:
                 scene.box = regions.get(rest[1])
@@ -102,6 +105,11 @@ def read(script: Path, parameters: Path | None = None) -> DemScene:
                 _read_data(script.parent / rest[0], scene)
             elif command == "create_atoms" and rest[1:2] == ["single"]:
                 singles.append([_number(w) for w in rest[2:5]])
+            elif command == "lattice":
+                lattice = rest
+            elif command == "create_atoms" and lattice:
+                place = scene.box if rest[1:2] == ["box"] else regions.get(rest[2]) if len(rest) > 2 else None
+                filled.append(dem_lattice.positions(lattice, place, scene.box))
             elif command == "pair_style":
                 scene.stiffness_N_m = _pair_stiffness(rest, scene.stiffness_N_m)
                 scene.tangential_stiffness_N_m = _after(rest, "ks", scene.tangential_stiffness_N_m)
@@ -111,16 +119,22 @@ def read(script: Path, parameters: Path | None = None) -> DemScene:
                 density = _after(rest, "density", density)
             elif command == "fix" and len(rest) >= 3:
                 scene.gravity |= rest[2] == "gravity"
-                if rest[2].startswith("property/global") and rest[3:4] == ["kn"]:
-                    scene.stiffness_N_m = max(filter(math.isfinite, map(_number, rest[6:])), default=None)
+                if rest[2].startswith("property/global") and rest[3:4] in (["kn"], ["kt"]):
+                    largest = max(filter(math.isfinite, map(_number, rest[6:])), default=None)
+                    if rest[3] == "kn":
+                        scene.stiffness_N_m = largest
+                    else:
+                        scene.tangential_stiffness_N_m = largest
             scene.creates |= bool(set(words[:4]) & set(CREATORS))
-    looped = any(words[0] == "jump" for words in scene.commands)  # a line may run many times
-    if singles and scene.positions is None:
-        scene.positions = None if looped else np.array(singles)
-        if not looped and diameter is not None:
-            scene.diameters = np.full(len(singles), diameter)
-        if not looped and density is not None:
-            scene.densities = np.full(len(singles), density)
+    groups = ([np.array(singles)] if singles else []) + filled
+    if groups and scene.positions is None:
+        # a line may run many times, and what is made may be thinned out
+        told = not any(words[0] in ("jump", "delete_atoms") for words in scene.commands)
+        scene.positions = np.concatenate(groups) if told and all(g is not None for g in groups) else None
+        if scene.positions is not None and diameter is not None:
+            scene.diameters = np.full(len(scene.positions), diameter)
+        if scene.positions is not None and density is not None:
+            scene.densities = np.full(len(scene.positions), density)
     # Of particles that are not counted, the one size that `set` gives.
     if scene.diameters is None and scene.positions is None and diameter is not None:
         scene.diameters = np.array([diameter])

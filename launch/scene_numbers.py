@@ -8,10 +8,13 @@ import os
 
 import numpy as np
 
-from launch import foam_dict, parameters
+from launch import foam_dict, parameters, scene_packing
 from launch.case import Case
 from launch.facts import Facts
 from launch.prepare import Prepared
+
+USUAL_CONTACTS, USUAL_FRACTION = 5.0, 0.6  # what slidewave_preflight takes where nothing is known
+LARGEST_FRACTION = 0.85  # the fluid's floor of the void fraction is 0.15
 
 
 def collect(case: Case, ready: Prepared) -> dict[str, object]:
@@ -32,6 +35,7 @@ def collect(case: Case, ready: Prepared) -> dict[str, object]:
     }
     if case.get("dem.engine") != "none":
         numbers |= _particles(case, ready.facts)
+        numbers |= _packing(case, ready.facts)
     if ready.facts.mesh is not None:
         numbers |= _fluid(case, ready)
     if case.get("fluid.engine") == "uniform_flow":
@@ -57,6 +61,26 @@ def _particles(case: Case, known: Facts) -> dict[str, object]:
         numbers["periodic_width_m"] = float(min(np.ptp(dem.box, axis=0)[list(dem.periodic)]))
     if dem.positions is not None and len(dem.positions) > 1 and dem.diameters is not None:
         numbers["column_height_m"] = _column_height(case, dem.positions, float(dem.diameters.max()))
+    return numbers
+
+
+def _packing(case: Case, known: Facts) -> dict[str, object]:
+    """What the particles' places at first tell: contacts of one, and the densest part where that is
+    more than what the check takes for granted (settling brings any crowd to 0.6)."""
+    dem = known.dem
+    if dem.positions is None or dem.diameters is None or len(dem.positions) < 2 or dem.box is None:
+        return {}
+    if not np.isfinite(dem.box).all():
+        return {}
+    numbers: dict[str, object] = {}
+    touched = scene_packing.contacts(dem.positions, dem.diameters, dem.box, dem.periodic)
+    if touched > USUAL_CONTACTS:
+        numbers["contact_number"] = touched
+    length = case.get("coupling.smoothing_length")
+    if length is not None:
+        dense = scene_packing.solid_fraction(dem.positions, dem.diameters, length, dem.box)
+        if dense is not None and dense > USUAL_FRACTION:
+            numbers["solid_fraction"] = min(dense, LARGEST_FRACTION)
     return numbers
 
 
