@@ -7,7 +7,7 @@ import json
 import subprocess
 from dataclasses import asdict, dataclass
 
-from launch import scene_numbers
+from launch import calibration, scene_numbers
 from launch.case import Case
 from launch.errors import RunError
 from launch.places import program
@@ -16,7 +16,8 @@ from launch.prepare import Prepared
 
 @dataclass
 class Finding:
-    """One row: quantity, value, limit, verdict (ok, warn, bad, note, "" for information), source, key to change, value that works."""
+    """One row: quantity, value, limit, verdict (ok, warn, bad, note: for information), source of the limit, key to
+    change, value that works, margin: how far the value may still grow (or fall) to reach the limit."""
 
     quantity: str
     value: float | str | None
@@ -25,15 +26,33 @@ class Finding:
     source: str = ""
     key: str = ""
     works: float | str | None = None
+    margin: float | None = None
 
     @property
     def bad(self) -> bool:
         return self.verdict == "bad"
 
+# What the tool calls a key, and what cases call it, best first; the last where the case has none of them.
+OWN_KEYS = {
+    "parameters.kn": ("parameters.kn", "parameters.contact_stiffness", "kn of the contact law"),
+    "parameters.particle_density": ("parameters.particle_density", "parameters.solid_density",
+                                    "density of the particles"),
+    "parameters.cell": ("parameters.cell", "geometry.cell_size", "cell size of the mesh"),
+    "parameters.fluid_dt": ("parameters.fluid_dt", "coupling.window"),
+    "parameters.width": ("parameters.width", "periodic width of the box"),
+}
 
-def examine(case: Case, ready: Prepared) -> list[Finding]:
-    """All findings about a prepared scene."""
-    return own_findings(ready) + tool_findings(scene_numbers.collect(case, ready))
+
+def examine(case: Case, ready: Prepared, calibrate: bool = False) -> list[Finding]:
+    """All findings about a prepared scene; with `calibrate` the engines' speed on this machine is measured
+    where it is not known yet (seconds)."""
+    costs = calibration.unit_costs(ready.facts.dem.own_law, calibrate)
+    rows = own_findings(ready) + tool_findings(scene_numbers.collect(case, ready) | costs)
+    for row in rows:
+        names = OWN_KEYS.get(row.key)
+        if names:
+            row.key = next((name for name in names if case.get(name) is not None), names[-1])
+    return rows
 
 
 def own_findings(ready: Prepared) -> list[Finding]:
@@ -63,10 +82,11 @@ def tool_findings(numbers: dict) -> list[Finding]:
 
 def lines(findings: list[Finding]) -> list[str]:
     """The findings as a table; a bad one is followed by the key to change and a value that works."""
-    rows = []
+    rows = [f"{'':<5} {'quantity':<50} {'value':>12} {'limit':>10} {'margin':>9}  source of the limit"]
     for f in findings:
-        limit = "" if f.limit is None else f"limit {_text(f.limit)}"
-        rows.append(f"{f.verdict:<5} {f.quantity:<44} {_text(f.value):>12}  {limit:<20} {f.source}".rstrip())
+        margin = "" if f.margin is None else f"{f.margin:.2g}x"
+        rows.append(f"{f.verdict:<5} {f.quantity:<50} {_text(f.value):>12} {_text(f.limit):>10} {margin:>9}  "
+                    f"{f.source}".rstrip())
         if f.verdict in ("bad", "warn") and f.key:
             works = "" if f.works is None else f" = {_text(f.works)}"
             rows.append(f"      change {f.key}{works}")

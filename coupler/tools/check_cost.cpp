@@ -49,16 +49,21 @@ void check_time(Facts const& facts, Sheet& sheet) {
   }
   auto const costs = unit_costs(facts);
   double const end = facts.number("end_time_s");
+  char const* const particle_cost = facts.has("particle_steps_per_s")
+                                        ? "calibrated on this machine"
+                                        : "usual cost of a particle-step";
+  char const* const cell_cost = facts.has("cell_steps_per_s") ? "calibrated on this machine"
+                                                              : "usual cost of a cell and step";
   double particles = 0;
   if (facts.has("dem_dt_s") && facts.has("particles")) {
     particles =
         limits::particle_seconds(costs, facts.number("particles"), end / facts.number("dem_dt_s"));
-    sheet.note("core time of the particles [s]", particles, "usual cost of a particle-step");
+    sheet.note("core time of the particles [s]", particles, particle_cost);
   }
   double fluid = 0;
   if (facts.has("cells")) {
     fluid = limits::cell_seconds(costs, facts.number("cells"), fluid_steps(facts, end));
-    sheet.note("core time of the fluid [s]", fluid, "usual cost of a cell and step");
+    sheet.note("core time of the fluid [s]", fluid, cell_cost);
   }
   double const ranks = facts.number("ranks", 2);
   if (particles > 0 && fluid > 0 && ranks >= 2) {

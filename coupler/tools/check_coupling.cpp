@@ -119,7 +119,7 @@ void check_stiffness(Facts const& facts, Sheet& sheet) {
                   {"coupling.window", window * limits::largest_stiffness / x});
   } else {
     sheet.at_most(quantity, x, comfort, answers ? limits::mild_stiffness : INFINITY,
-                  "proven range of the mild regime; coupling.regime = \"stiff\" goes to 1e4",
+                  "proven range of the mild regime; coupling.regime = \"stiff\" goes to 1e6",
                   {"coupling.window", window * comfort / x});
   }
   if (two_way) {
@@ -176,10 +176,10 @@ void check_added_mass(Facts const& facts, Sheet& sheet) {
     return;
   }
   if (sheet.needs(facts, quantity, {"particle_density_min_kg_m3", "fluid_density_kg_m3"})) {
-    double const comfort =
-        stiff(facts) ? limits::mild_added_mass_number : limits::comfortable_added_mass_number;
+    double const comfort = stiff(facts) ? limits::comfortable_stiff_added_mass_number
+                                        : limits::comfortable_added_mass_number;
     double const limit = concurrent(facts) ? limits::concurrent_added_mass_number
-                         : drag_damps(facts, limits::mild_stiffness)
+                         : drag_damps(facts, limits::damping_stiffness)
                              ? limits::stiff_added_mass_number
                              : limits::mild_added_mass_number;
     double const number =
@@ -216,11 +216,11 @@ void check_waves(Facts const& facts, Sheet& sheet) {
                                   contact_scale(facts).stiffness * facts.number("stiffness_N_m"));
   double const window = facts.number("window_s");
   double const run = limits::wave_run(speed, window, facts.number("smoothing_length_m"));
-  double const comfort =
-      concurrent(facts) ? limits::comfortable_concurrent_wave_run : limits::comfortable_wave_run;
-  double const limit =
-      concurrent(facts) ? limits::largest_concurrent_wave_run : limits::largest_wave_run;
-  sheet.at_most(quantity, run, comfort, limit,
+  double const serial = limits::largest_wave_run(fed);
+  double const largest = concurrent(facts) ? limits::largest_concurrent_wave_run : serial;
+  double const comfort = concurrent(facts) ? limits::comfortable_concurrent_wave_run
+                                           : limits::comfortable_wave_share * serial;
+  sheet.at_most(quantity, run, comfort, largest,
                 "added mass that acts windows late feeds faster waves",
                 {"coupling.window", window * comfort / run});
 }
@@ -235,6 +235,34 @@ void check_crossing(Facts const& facts, Sheet& sheet) {
                   limits::largest_crossing, 1, "void fraction moves with the particles",
                   {"coupling.window", works});
   }
+}
+
+void check_surface(Facts const& facts, Sheet& sheet) {
+  if (!facts.has("second_density_kg_m3") || !facts.flag("two_way", true)) {
+    return;
+  }
+  std::string const quantity = "kernels crossed in a window, at the surface";
+  if (sheet.needs(facts, quantity, {"window_s", "speed_m_s", "smoothing_length_m"})) {
+    double const length = facts.number("smoothing_length_m");
+    double const speed = facts.number("speed_m_s");
+    sheet.at_most(
+        quantity, limits::courant(speed, facts.number("window_s"), length),
+        limits::largest_crossing, INFINITY,
+        "drag and buoyancy change from one fluid's to the other's",
+        {"coupling.window", limits::courant_step(limits::largest_crossing, speed, length)});
+  }
+}
+
+/// The longest window at which all above is ok, made a whole part of the run.
+void suggest_window(Facts const& facts, Sheet& sheet) {
+  double const longest = sheet.longest_window_s();
+  if (!facts.has("end_time_s") || std::isinf(longest)) {
+    sheet.left_out("suggested window [s]", "nothing limits it, or not known: end_time_s");
+    return;
+  }
+  double const end = facts.number("end_time_s");
+  sheet.note("suggested window [s]", end / std::ceil(end / longest * (1 - 1e-9)),
+             "the longest at which every row that it decides is ok");
 }
 
 }  // namespace
@@ -262,6 +290,8 @@ void check_coupling(Facts const& facts, Sheet& sheet) {
   check_added_mass(facts, sheet);
   check_waves(facts, sheet);
   check_crossing(facts, sheet);
+  check_surface(facts, sheet);
+  suggest_window(facts, sheet);
 }
 
 }  // namespace slidewave::preflight

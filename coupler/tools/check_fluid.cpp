@@ -4,6 +4,7 @@
 #include "checks.hpp"
 #include "slidewave/physics/limits/capillary.hpp"
 #include "slidewave/physics/limits/courant.hpp"
+#include "slidewave/physics/limits/gravity_wave.hpp"
 #include "slidewave/physics/limits/resolution.hpp"
 
 namespace slidewave::preflight {
@@ -35,6 +36,23 @@ void check_courant(Facts const& facts, Sheet& sheet) {
   } else if (facts.has("window_s")) {
     sheet.note("fluid steps in a window, at least", std::ceil(facts.number("window_s") / step),
                "adaptive step at the expected speed in the smallest cell");
+  }
+}
+
+void check_gravity_waves(Facts const& facts, Sheet& sheet) {
+  std::string const quantity = "turn of the shortest gravity wave in a fluid step";
+  if (!two_fluids(facts) || !sheet.needs(facts, quantity, {"cell_size_m"})) {
+    return;
+  }
+  double const cell = facts.number("smallest_cell_m", facts.number("cell_size_m"));
+  double const rate = limits::shortest_wave_rate(facts.number("gravity_m_s2", 9.81), cell);
+  // An adaptive step may grow to the whole window.
+  double const step = facts.number("fluid_dt_s", facts.number("window_s", 0));
+  std::string const key = facts.has("fluid_dt_s") ? "parameters.fluid_dt" : "coupling.window";
+  if (rate > 0) {
+    sheet.at_most(quantity, rate * step, limits::comfortable_wave_turn, limits::largest_wave_turn,
+                  "the surface's weight acts with the level of the step's start",
+                  {key, limits::comfortable_wave_turn / rate});
   }
 }
 
@@ -103,6 +121,7 @@ void check_fluid(Facts const& facts, Sheet& sheet) {
   check_cells(facts, sheet);
   check_smoothing(facts, sheet);
   check_courant(facts, sheet);
+  check_gravity_waves(facts, sheet);
   check_capillary(facts, sheet);
 }
 

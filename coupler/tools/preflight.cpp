@@ -2,7 +2,7 @@
 //
 // Every stability and accuracy number of a scene against its limit, before a core-hour is spent.
 // The numbers come from the case and from a file of facts (facts.hpp has their names); without
-// either, facts are read from standard input and rows go out as JSON without the margin.
+// either, facts are read from standard input and rows go out as JSON.
 // Exit status: 0 nothing bad, 1 something is bad, 2 bad input.
 #include <fmt/format.h>
 
@@ -82,7 +82,7 @@ int examine(Options const& options) {
   check_cost(facts, sheet);
   check_names(facts, sheet);
   if (options.json || options.piped()) {
-    std::cout << as_json(sheet, options.json).dump(1) << "\n";
+    std::cout << as_json(sheet).dump(1) << "\n";
   } else {
     std::cout << as_table(sheet);
   }

@@ -30,17 +30,17 @@ std::string as_table(Sheet const& sheet) {
   return text;
 }
 
-nlohmann::json as_json(Sheet const& sheet, bool with_margin) {
+nlohmann::json as_json(Sheet const& sheet) {
   nlohmann::json list = nlohmann::json::array();
   for (Row const& row : sheet.rows()) {
-    nlohmann::json entry{{"quantity", row.quantity},    {"value", or_null(row.value)},
-                         {"limit", or_null(row.limit)}, {"verdict", row.verdict},
-                         {"source", row.source},        {"key", row.key},
-                         {"works", or_null(row.works)}};
-    if (with_margin) {
-      entry["margin"] = or_null(row.margin);
-    }
-    list.push_back(entry);
+    list.push_back({{"quantity", row.quantity},
+                    {"value", or_null(row.value)},
+                    {"limit", or_null(row.limit)},
+                    {"margin", or_null(row.margin)},
+                    {"verdict", row.verdict},
+                    {"source", row.source},
+                    {"key", row.key},
+                    {"works", or_null(row.works)}});
   }
   return list;
 }

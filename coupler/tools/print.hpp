@@ -11,8 +11,8 @@ namespace slidewave::preflight {
 /// A line a row; a row that is not ok is followed by the key to change and a value that works.
 std::string as_table(Sheet const& sheet);
 
-/// A list of objects with quantity, value, limit, verdict, source, key, works, and margin where
-/// asked for; null where there is none.
-nlohmann::json as_json(Sheet const& sheet, bool with_margin);
+/// A list of objects with quantity, value, limit, margin, verdict, source, key, works; null where
+/// there is none.
+nlohmann::json as_json(Sheet const& sheet);
 
 }  // namespace slidewave::preflight

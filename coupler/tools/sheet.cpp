@@ -36,6 +36,9 @@ void Sheet::note(std::string const& quantity, double value, std::string const& s
 
 void Sheet::at_most(std::string const& quantity, double value, double comfort, double limit,
                     std::string const& source, Remedy const& remedy) {
+  if (remedy.key == "coupling.window" && remedy.works && !std::isinf(limit)) {
+    longest_window_s_ = std::min(longest_window_s_, *remedy.works);
+  }
   double const shown = std::isinf(limit) ? comfort : limit;
   double const margin = value > 0 ? shown / value : INFINITY;
   judge({quantity, value, shown, margin, "", source, "", {}}, value <= comfort, value <= limit,

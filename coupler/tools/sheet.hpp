@@ -1,6 +1,7 @@
 // The table that the pre-flight check fills, and the one way in which rows are judged.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,11 +43,15 @@ class Sheet {
                 std::string const& source, Remedy const& remedy);
 
   std::vector<Row> const& rows() const { return rows_; }
+  /// The longest window [s] at which every row that the window decides is ok; infinite where none
+  /// does.
+  double longest_window_s() const { return longest_window_s_; }
   bool any_bad() const;
 
  private:
   void judge(Row row, bool ok, bool bearable, Remedy const& remedy);
   std::vector<Row> rows_;
+  double longest_window_s_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace slidewave::preflight

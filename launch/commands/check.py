@@ -1,6 +1,7 @@
 """Checks a case before a core-hour is spent: input, sides, and every stability number.
 
-Prepares the case in a temporary directory (the particles' preparation is cached), starts no engine.
+Prepares the case in a temporary directory (the particles' preparation is cached). The engines are started
+once for each build, for seconds, to calibrate the expected core time.
 Exit status 0 where the scene is sound, 1 where it would run badly (key and working value named),
 2 where the input is refused.
 """
@@ -40,7 +41,7 @@ def main(options: argparse.Namespace) -> int:
         quiet = contextlib.redirect_stdout(sys.stderr) if options.json else contextlib.nullcontext()
         with quiet:
             ready = prepare.prepare(case, Path(place).resolve(), options.ranks_fluid, options.ranks_dem)
-        findings = preflight.examine(case, ready)
+            findings = preflight.examine(case, ready, calibrate=True)
     bad = any(f.bad for f in findings)
     if options.json:
         print(preflight.as_json(findings))

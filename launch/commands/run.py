@@ -67,7 +67,8 @@ def make_ready(options: argparse.Namespace) -> prepare.Prepared:
         place.withdraw()
         raise
     findings = preflight.examine(case, ready)
-    for line in preflight.lines([f for f in findings if f.verdict in ("bad", "warn")]):
+    worth_saying = [f for f in findings if f.verdict in ("bad", "warn")]
+    for line in preflight.lines(worth_saying) if worth_saying else []:
         progress.say(line)
     if any(f.bad for f in findings) and not options.force:
         place.withdraw()

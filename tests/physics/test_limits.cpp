@@ -8,6 +8,7 @@
 #include "slidewave/physics/limits/cost.hpp"
 #include "slidewave/physics/limits/courant.hpp"
 #include "slidewave/physics/limits/drag_response.hpp"
+#include "slidewave/physics/limits/gravity_wave.hpp"
 #include "slidewave/physics/limits/resolution.hpp"
 
 namespace slidewave {
@@ -21,15 +22,27 @@ TEST(AddedMassNumber, RockAndWater) {
   EXPECT_LT(limits::added_mass_number(.60, 2650, 1.225), 1e-3);
 }
 
-TEST(AddedMassNumber, LaggedPressureForceDivergesAboveOne) {
-  // Model behind it: acceleration a_n = (f - m_a a_(n-1))/m grows where m_a/m > 1.
-  for (double const rho_s : {1200.0, 1800.0}) {
-    double const s = limits::added_mass_number(.6, rho_s, 1000);
-    double acceleration = 0;
-    for (int n = 0; n < 200; ++n) {
-      acceleration = 1 - s * acceleration;
+TEST(AddedMassNumber, LimitsLieBetweenWhatRanAndWhatBlewUp) {
+  // Both engines, closed columns, the least density ratio that ran and the greatest that did not
+  // (docs/stability.md): S = phi/(eps ratio).
+  EXPECT_LT(limits::mild_added_mass_number, limits::added_mass_number(.5, 300, 1000));
+  EXPECT_LT(limits::mild_added_mass_number, limits::added_mass_number(.5, 200, 1000));
+  EXPECT_LE(limits::stiff_added_mass_number, limits::added_mass_number(.6, 1000, 1000) + 1e-12);
+  EXPECT_LT(limits::stiff_added_mass_number, limits::added_mass_number(.6, 900, 1000));
+}
+
+TEST(GravityWave, ExplicitSurfaceOfTheShortestWave) {
+  // Deep water, w^2 = g k, k = pi/dx; level and velocity stepped one after the other blow up
+  // above 2.
+  double const w = limits::shortest_wave_rate(9.81, 0.02);
+  EXPECT_NEAR(w * w, 9.81 * M_PI / 0.02, 1e-9);
+  for (double const turn : {limits::largest_wave_turn, 2.1}) {
+    double level = 1, rate = 0;
+    for (int n = 0; n < 300; ++n) {
+      rate -= turn * level;
+      level += turn * rate;
     }
-    EXPECT_EQ(std::abs(acceleration) > 10, s > limits::mild_added_mass_number) << rho_s;
+    EXPECT_EQ(std::abs(level) > 1e3, turn > 2) << turn;
   }
 }
 

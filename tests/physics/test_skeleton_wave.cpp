@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <array>
 #include <cmath>
 
 #include "slidewave/physics/limits/concurrent.hpp"
@@ -32,7 +33,8 @@ double growth(double w, double added_mass_number, bool older = false) {
 
 TEST(SkeletonWave, WavesWithinTheComfortableRunAreDamped) {
   for (double const s : {0.05, 0.15, 0.57, 0.9}) {
-    for (double w = 0.05; w <= limits::comfortable_wave_run; w += 0.05) {
+    double const comfort = limits::comfortable_wave_share * limits::largest_wave_run(s);
+    for (double w = 0.05; w <= comfort; w += 0.05) {
       EXPECT_LE(growth(w, s), 1 + 1e-9) << w << " " << s;
     }
   }
@@ -60,6 +62,15 @@ TEST(SkeletonWave, ConcurrentlyTheyAreFedEarlier) {
   EXPECT_GT(growth(0.01, 1.3, true), 1);
   EXPECT_LT(growth(0.01, 1.95), 1);
   EXPECT_GT(growth(0.01, 2.05), 1);
+}
+
+TEST(SkeletonWave, LimitLiesBetweenWhatRanAndWhatGrew) {
+  // Undamped piles with both engines (docs/stability.md): S, c W/L that ran, c W/L that grew.
+  for (auto const& [s, ran, grew] :
+       {std::array{1.05, 1.9, 3.0}, {1.37, 1.45, 9.0}, {2.31, 0.8, 1.1}}) {
+    EXPECT_LE(ran, limits::largest_wave_run(s) * 1.0001) << s;
+    EXPECT_GT(grew, limits::largest_wave_run(s)) << s;
+  }
 }
 
 TEST(SkeletonWave, SpeedOfAChain) {

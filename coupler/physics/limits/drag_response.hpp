@@ -16,8 +16,9 @@ constexpr double mild_stiffness = 0.3;
 constexpr double dense_mild_stiffness = 0.15;  ///< at solid fractions above dense_solid_fraction
 constexpr double dense_solid_fraction = 0.45;
 constexpr double accurate_mixture_stiffness = 0.2;
-/// The stiff regime (docs/stability.md): columns stayed right to here.
-constexpr double largest_stiffness = 1e4;
+/// The stiff regime (docs/stability.md): suspensions, settling and held beds stayed right to here
+/// with both engines, settling and suspensions also to 1e7; beyond, momentum is lost to round-off.
+constexpr double largest_stiffness = 1e6;
 /// From here on it also damps contact waves (and from mild_stiffness compression, up to
 /// stiff_added_mass_number).
 constexpr double damping_stiffness = 0.1;
