@@ -61,10 +61,11 @@ class Outcome:
 
 
 def collapse(place: Path, aspect: float, length: float, diameter: float, mu: float = 0.5,
-             rolling: str = "") -> Outcome:
-    """Lets a column of about aspect = H0/L0 go. `length` is L0; `rolling` e.g. "shape 0.4 crushing 2.1"."""
+             rolling: str = "", stiffness: float = 1000, step: float = 0.2, seed: int = 3) -> Outcome:
+    """Lets a column of about aspect = H0/L0 go. `length` is L0; `rolling` e.g. "shape 0.4 crushing 2.1";
+    `stiffness`: kn over what presses a sphere flat by D under the column; `step` over sqrt(m/kn)."""
     start = time.monotonic()
-    width, rng = 1.15 * diameter, np.random.default_rng(3)
+    width, rng = 1.15 * diameter, np.random.default_rng(seed)
     columns = int(length / (1.05 * diameter))
     count = int(0.6 * aspect * length**2 * width / (np.pi / 6 * (0.9 * diameter)**3))
     row, column = np.divmod(np.arange(count), columns)
@@ -79,9 +80,9 @@ def collapse(place: Path, aspect: float, length: float, diameter: float, mu: flo
         f"column\n\n{count} atoms\n1 atom types\n\n{-diameter} {reach} xlo xhi\n0 {width:.10g} ylo yhi\n"
         f"{-diameter} {2 * top} zlo zhi\n\nAtoms\n\n{rows}")
     height = aspect * length
-    kn = 2650 * 9.81 * height * diameter * 1000  # a thousandth of D under the column's weight
+    kn = 2650 * 9.81 * height * diameter * stiffness
     mass = 2650 * np.pi / 6 * (0.8 * diameter)**3
-    dt, fall = 0.2 * np.sqrt(mass / kn), np.sqrt(2 * max(top, height) / 9.81)
+    dt, fall = step * np.sqrt(mass / kn), np.sqrt(2 * max(top, height) / 9.81)
     text = SCRIPT.format(
         skin=0.3 * diameter, laws="tangential coulomb" + (" rolling_friction jiang" if rolling else ""),
         kn=f"{kn:.10g}", ks=f"{0.8 * kn:.10g}", mu=mu, more=rolling, length=length, dt=f"{dt:.6g}",
