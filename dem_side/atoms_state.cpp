@@ -50,8 +50,10 @@ void keep_forces(LAMMPS& lmp, FixPropertyAtom& kept, FixSlidewave const* kick) {
   Atom const& atom = *lmp.atom;
   for (int i = 0; i < atom.nlocal; ++i) {
     double const* const force = kick ? kick->other_force_N(i) : atom.f[i];
+    double const* const torque =
+        kick && kick->has("rotational_drag") ? kick->other_torque_N_m(i) : atom.torque[i];
     std::copy_n(force, 3, kept.array_atom[i]);
-    std::copy_n(atom.torque[i], 3, kept.array_atom[i] + 3);
+    std::copy_n(torque, 3, kept.array_atom[i] + 3);
   }
 }
 

@@ -18,14 +18,22 @@
 namespace LAMMPS_NS {
 namespace {
 
-std::map<std::string, int> const known_columns = {
-    {"drag", 1}, {"fluid_velocity", 3}, {"force", 3}, {"impulse", 3}, {"memory", 4}, {"start", 3}};
+std::map<std::string, int> const known_columns = {{"drag", 1},
+                                                  {"fluid_velocity", 3},
+                                                  {"force", 3},
+                                                  {"impulse", 3},
+                                                  {"added_mass", 1},
+                                                  {"exchanged_force", 3},
+                                                  {"rotational_drag", 1},
+                                                  {"fluid_spin", 3},
+                                                  {"memory", 4},
+                                                  {"start", 3}};
 
 /// Where an atom stood that was inserted since begin_window().
 constexpr double nowhere_m = 1e300;
 
 bool given_as_numbers(std::string const& column) {
-  return column == "drag" || column == "fluid_velocity" || column == "force";
+  return column != "impulse" && column != "memory" && column != "start";
 }
 
 }  // namespace
@@ -42,7 +50,8 @@ FixSlidewave::FixSlidewave(LAMMPS* lammps, int argument_count, char** arguments)
     auto const known = known_columns.find(name);
     if (known == known_columns.end()) {
       error->fix_error(FLERR, this,
-                       "columns are drag, fluid_velocity, force, impulse, memory, start");
+                       "columns are drag, fluid_velocity, force, added_mass, exchanged_force, "
+                       "rotational_drag, fluid_spin, impulse, memory, start");
     }
     Column& column = columns_[name];
     column.components = known->second;
@@ -62,6 +71,9 @@ FixSlidewave::FixSlidewave(LAMMPS* lammps, int argument_count, char** arguments)
   }
   if (has("drag") != has("fluid_velocity")) {
     error->fix_error(FLERR, this, "drag and fluid_velocity need each other");
+  }
+  if (has("rotational_drag") != has("fluid_spin")) {
+    error->fix_error(FLERR, this, "rotational_drag and fluid_spin need each other");
   }
 }
 
@@ -158,30 +170,70 @@ void FixSlidewave::keep_forces() {
   if (numbers > 0) {
     std::memcpy(other_force_N_.data(), atom->f[0], numbers * sizeof(double));
   }
+  if (has("rotational_drag")) {
+    other_torque_N_m_.resize(std::max(other_torque_N_m_.size(), numbers));
+    std::copy_n(numbers > 0 ? atom->torque[0] : nullptr, numbers, other_torque_N_m_.data());
+  }
+}
+
+double* FixSlidewave::numbers_of(std::string const& column) const {
+  return has(column) ? columns_.at(column).store->vector_atom : nullptr;
+}
+
+double** FixSlidewave::vectors_of(std::string const& column) const {
+  return has(column) ? columns_.at(column).store->array_atom : nullptr;
 }
 
 void FixSlidewave::update_factors() {
   auto const count = static_cast<std::size_t>(atom->nlocal);
   factors_.resize(count);
   double const half_dt_s = 0.5 * update->dt;
+  double const* const drag = numbers_of("drag");
+  double const* const added = numbers_of("added_mass");
   for (std::size_t i = 0; i < count; ++i) {
-    double const drag = *values("drag", static_cast<int>(i));
-    factors_[i] = slidewave::kick_factors(drag, atom->rmass[i], half_dt_s);
+    factors_[i] = slidewave::kick_factors(drag ? drag[i] : 0.0,
+                                          atom->rmass[i] + (added ? added[i] : 0.0), half_dt_s);
+  }
+  if (double const* const turned = numbers_of("rotational_drag")) {
+    turn_factors_.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      turn_factors_[i] = slidewave::kick_factors(turned[i], inertia_kg_m2(i), half_dt_s);
+    }
   }
   factors_valid_ = true;
 }
 
+void FixSlidewave::turn() {
+  double const* const drag = numbers_of("rotational_drag");
+  double* const* const spin = vectors_of("fluid_spin");
+  double const* other = other_torque_N_m_.data();
+  for (int i = 0; i < atom->nlocal; ++i) {
+    bool const fixed = held(i);
+    for (int axis = 0; axis < 3; ++axis, ++other) {
+      atom->torque[i][axis] =
+          fixed ? *other
+                : slidewave::effective_force(turn_factors_[static_cast<std::size_t>(i)], drag[i],
+                                             spin[i][axis], atom->omega[i][axis], *other);
+    }
+  }
+}
+
 void FixSlidewave::kick() {
-  bool const drags = has("drag");
-  if (drags && !factors_valid_) {
+  double const* const drag = numbers_of("drag");
+  double* const* const fluid = vectors_of("fluid_velocity");
+  double const* const added = numbers_of("added_mass");
+  double* const* const extra = vectors_of("force");
+  double* const* const exchanged = vectors_of("exchanged_force");
+  double* const* const impulse = vectors_of("impulse");
+  bool const plain = !drag && !added && !exchanged;
+  bool const turns = has("rotational_drag");
+  if ((!plain || turns) && !factors_valid_) {
     update_factors();
   }
+  if (turns) {
+    turn();
+  }
   double const half_dt_s = 0.5 * update->dt;
-  double const* const drag = drags ? columns_.at("drag").store->vector_atom : nullptr;
-  double* const* const fluid = drags ? columns_.at("fluid_velocity").store->array_atom : nullptr;
-  double* const* const extra = has("force") ? columns_.at("force").store->array_atom : nullptr;
-  double* const* const impulse =
-      has("impulse") ? columns_.at("impulse").store->array_atom : nullptr;
   double const* other = other_force_N_.data();
   auto const book = [&](int i, int axis, double share) {
     received_[static_cast<unsigned>(axis)] += share;
@@ -190,26 +242,28 @@ void FixSlidewave::kick() {
     }
   };
   for (int i = 0; i < atom->nlocal; ++i) {
+    double const drag_kg_s = drag ? drag[i] : 0.0, added_kg = added ? added[i] : 0.0,
+                 own_kg = atom->rmass[i], mass_kg = own_kg + added_kg;
     for (int axis = 0; axis < 3; ++axis, ++other) {
       double& f = atom->f[i][axis];
-      double const v = atom->v[i][axis];
+      double const v = atom->v[i][axis], u = fluid ? fluid[i][axis] : 0.0,
+                   given_N = exchanged ? exchanged[i][axis] : 0.0;
       if (held_.held(atom->mask[i], axis)) {
         f = *other;
-        if (drags) {
-          book(i, axis, drag[i] * (fluid[i][axis] - v) * half_dt_s);
-        }
+        book(i, axis, (drag_kg_s * (u - v) + given_N) * half_dt_s);
         continue;
       }
-      double const all_N = *other + (extra ? extra[i][axis] : 0.0);
-      if (!drags) {
+      double const all_N = *other + (extra ? extra[i][axis] : 0.0) + given_N;
+      if (plain) {
         f = all_N;
         continue;
       }
       slidewave::KickFactors const& factors = factors_[static_cast<std::size_t>(i)];
-      f = slidewave::effective_force(factors, drag[i], fluid[i][axis], v, all_N);
+      double const moves_N = slidewave::effective_force(factors, drag_kg_s, u, v, all_N);
+      f = moves_N * (own_kg / mass_kg);
       book(i, axis,
-           slidewave::drag_impulse(factors, drag[i], fluid[i][axis], v, all_N, atom->rmass[i],
-                                   half_dt_s));
+           slidewave::drag_impulse(factors, drag_kg_s, u, v, all_N, mass_kg, half_dt_s) +
+               (given_N - moves_N * (added_kg / mass_kg)) * half_dt_s);
     }
   }
 }

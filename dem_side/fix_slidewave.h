@@ -1,17 +1,21 @@
-// fix ID all slidewave [drag K] [fluid_velocity ux uy uz] [force fx fy fz] [impulse] [memory [N]]
-//                      [start]
+// fix ID all slidewave [drag K] [fluid_velocity ux uy uz] [force fx fy fz] [added_mass M]
+//                      [exchanged_force ex ey ez] [rotational_drag R] [fluid_spin sx sy sz]
+//                      [impulse] [memory [N]] [start]
 //
 // What the fluid does to particles, around any velocity-Verlet integrator. Before each half kick
 // the force on an atom is replaced by the effective one that makes the integrator carry out the
-// exact solution of m dv/dt = K (u - v) + (contacts + weight + F) with all of it frozen over dt/2
-// (physics/exponential_kick.hpp); the drag's share is summed up in `impulse`. Must stand last in
-// the list of fixes, so that it sees the whole force.
+// exact solution of (m + M) dv/dt = K (u - v) + E + (contacts + weight + F) with all of it frozen
+// over dt/2 (physics/exponential_kick.hpp); K (u - v) + E - M dv/dt is summed up in `impulse`. Must
+// stand last in the list of fixes, so that it sees the whole force.
+//
+// Likewise I dw/dt = R (s - w) + (torque of contacts), for spheres that nve/sphere turns; one that
+// is held in all directions gets no torque from the fluid.
 //
 // Every name is a column of its own, kept with the atom wherever it goes and through restarts; what
-// is not named is neither stored nor used. Units: K [kg/s], u [m/s], F [N], impulse [kg m/s];
-// `memory` (N numbers, 4 unless told) belongs to the coupler; `start` [m] is where the atom stood
-// at begin_window(), periodic images undone. The numbers given are the values of every atom at
-// first; the engine overwrites them once a window.
+// is not named is neither stored nor used. Units: K [kg/s], u [m/s], F, E [N], M [kg], impulse [kg
+// m/s]; `memory` (N numbers, 4 unless told) belongs to the coupler; `start` [m] is where the atom
+// stood at begin_window(), periodic images undone. The numbers given are the values of every atom
+// at first; the engine overwrites them once a window.
 #pragma once
 
 #include <array>
@@ -19,6 +23,7 @@
 #include <string>
 #include <vector>
 
+#include "atom.h"
 #include "fix.h"
 #include "held_atoms.h"
 #include "slidewave/physics/exponential_kick.hpp"
@@ -66,6 +71,14 @@ class FixSlidewave : public Fix {
   double const* other_force_N(int i) const {
     return other_force_N_.data() + 3 * static_cast<std::size_t>(i);
   }
+  /// The same of torques [N m]; only with rotational_drag.
+  double const* other_torque_N_m(int i) const {
+    return other_torque_N_m_.data() + 3 * static_cast<std::size_t>(i);
+  }
+  /// Moment of inertia of a local atom.
+  double inertia_kg_m2(std::size_t i) const {
+    return 0.4 * atom->rmass[i] * atom->radius[i] * atom->radius[i];
+  }
 
  private:
   struct Column {
@@ -74,13 +87,18 @@ class FixSlidewave : public Fix {
     FixPropertyAtom* store = nullptr;
   };
 
+  /// A column's values of all atoms; null where it was not named.
+  double* numbers_of(std::string const& column) const;
+  double** vectors_of(std::string const& column) const;
   void update_factors();
   void kick();
+  void turn();
 
   std::map<std::string, Column> columns_;
   slidewave::dem::HeldAtoms held_;
   std::vector<double> other_force_N_;  // contacts, weight, other fixes; 3 per local atom
-  std::vector<slidewave::KickFactors> factors_;
+  std::vector<double> other_torque_N_m_;
+  std::vector<slidewave::KickFactors> factors_, turn_factors_;
   bool factors_valid_ = false;
   std::array<double, 3> received_{};
 };

@@ -265,15 +265,21 @@ void LiggghtsEngine::apply(Table const& answers) {
   LAMMPS_NS::Atom const& atom = *lmp_->atom;
   if (!kick_) {
     kick_command_ = "fix slidewave_kick all slidewave";
-    kick_command_ += answers.has("drag") ? " drag 0 fluid_velocity 0 0 0 impulse" : "";
+    kick_command_ += answers.has("drag") ? " drag 0 fluid_velocity 0 0 0" : "";
     kick_command_ += answers.has("force") ? " force 0 0 0" : "";
+    kick_command_ += answers.has("added_mass") ? " added_mass 0" : "";
+    kick_command_ += answers.has("exchanged_force") ? " exchanged_force 0 0 0" : "";
+    kick_command_ += answers.has("rotational_drag") ? " rotational_drag 0 fluid_spin 0 0 0" : "";
+    bool const books = answers.has("drag") || answers.has("exchanged_force");
+    kick_command_ += books ? " impulse" : "";
     if (answers.has("memory")) {
       kick_command_ += " memory " + std::to_string(answers["memory"].rows());
     }
     kick_command_ += extras_wanted_ ? " start" : "";
     add_kick();
   }
-  for (char const* name : {"drag", "fluid_velocity", "force", "memory"}) {
+  for (char const* name : {"drag", "fluid_velocity", "force", "added_mass", "exchanged_force",
+                           "rotational_drag", "fluid_spin", "memory"}) {
     if (!answers.has(name)) {
       continue;
     }

@@ -31,6 +31,9 @@ class LiggghtsEngine : public ParticleEngine {
   std::vector<Feature> features() const override;
   void gather(Table& particles) override;
   std::vector<std::string> extras() const override { return {"travel", "other_force", "stiffest"}; }
+  std::vector<std::string> takes() const override {
+    return {"added_mass", "exchanged_force", "rotational_drag", "fluid_spin"};
+  }
   void apply(Table const& answers) override;
   void advance(Window const& window) override;
   std::optional<Vec3> received_impulse() const override;

@@ -13,6 +13,7 @@
 #include "SolidFraction.H"
 #include "World.H"
 #include "cyclicPolyPatch.H"
+#include "fvcCurl.H"
 #include "graphOfMesh.H"
 #include "labelVector.H"
 #include "processorCyclicPolyPatch.H"
@@ -97,6 +98,8 @@ struct FoamEngine::Impl {
 
   // rho eps at window start, and what the kernel makes of it at the particles.
   MatrixXd weight, weight_at_particles;
+  bool moves_along = false;  // virtual mass, two-way
+  MatrixXd added_mass_kg;    // of the coming window
   bool weighed = false;
 
   Impl(Scene const& the_scene, MPI_Comm the_comm, bool parallel)
@@ -144,11 +147,18 @@ FoamEngine::FoamEngine(Scene const& scene, MPI_Comm comm) {
   Impl& self = *impl_;
   bool const coupled = scene.text("dem.engine", "none") != "none";
   bool const two_way = coupled && scene.text("coupling.reaction", "two_way") == "two_way";
+  Means means;
   bool const concurrent = scene.text("coupling.scheme", "serial") == "concurrent";
-  self.flow->keepMeans(two_way && !concurrent,
-                       coupled && scene.flag("models.pressure_gradient", true),
-                       two_way && scene.text("coupling.regime", "auto") == "stiff");
-  if (concurrent) self.flow->carryGradient();
+  means.velocity = two_way && !concurrent;
+  bool const whole = coupled && scene.text("models.formulation", "A") == "B";
+  means.pressureGradient = coupled && scene.flag("models.pressure_gradient", !whole);
+  means.carried = concurrent && means.pressureGradient;
+  means.dragReaction = two_way && scene.text("coupling.regime", "auto") == "stiff";
+  means.acceleration = coupled && scene.text("models.virtual_mass", "none") != "none";
+  means.viscousStress = coupled && scene.flag("models.viscous_force", false);
+  means.wholeStress = whole;
+  self.moves_along = two_way && means.acceleration;
+  self.flow->keepMeans(means);
   self.observers = makeObservers(scene, self.foam.mesh());
   if (rank == 0) std::ofstream(scene.directory() / "fluid" / "case.foam");  // what ParaView opens
 }
@@ -189,9 +199,11 @@ std::vector<Feature> FoamEngine::features() const {
 }
 
 std::vector<Field> FoamEngine::samples() const {
-  return {{"velocity", "m/s", 3},           {"mean_velocity", "m/s", 3}, {"density", "kg/m3", 1},
-          {"viscosity", "Pa s", 1},         {"void_fraction", "-", 1},   {"saturation", "-", 1},
-          {"pressure_gradient", "Pa/m", 3}, {"drag_reaction", "Pa/m", 3}};
+  return {
+      {"velocity", "m/s", 3},           {"mean_velocity", "m/s", 3},  {"density", "kg/m3", 1},
+      {"viscosity", "Pa s", 1},         {"void_fraction", "-", 1},    {"saturation", "-", 1},
+      {"pressure_gradient", "Pa/m", 3}, {"drag_reaction", "Pa/m", 3}, {"acceleration", "m/s2", 3},
+      {"viscous_stress", "Pa/m", 3},    {"vorticity", "1/s", 3}};
 }
 
 Home FoamEngine::locate(Vec3 const& position_m, int hint_cell) {
@@ -214,16 +226,21 @@ void FoamEngine::deposit(Table::ConstColumn volume_m3) {
   self.flow->setTarget(eps);
 }
 
+void FoamEngine::add_mass(Table::ConstColumn added_mass_kg) {
+  impl_->added_mass_kg = added_mass_kg;
+}
+
 void FoamEngine::exchange(Table::ConstColumn drag_kg_s, Table::ConstColumn velocity_m_s,
                           Table::ConstColumn force_N) {
   Impl& self = *impl_;
   if (self.particles == 0) return;
   self.weigh();
   // Shares of a particle's drag: q = K / T(rho eps), so that the cells' total is K (u_f - v).
-  MatrixXd amounts(7, self.kernel.particles());
+  MatrixXd amounts(self.moves_along ? 8 : 7, self.kernel.particles());
   amounts.row(0) = drag_kg_s.row(0);
   amounts.middleRows(1, 3) = velocity_m_s.array().rowwise() * drag_kg_s.row(0).array();
   amounts.middleRows(4, 3) = force_N;
+  if (self.moves_along) amounts.row(7) = self.added_mass_kg;
   amounts.array().rowwise() /= self.weight_at_particles.row(0).array();
   MatrixXd const density =
       self.kernel.spread(amounts).array().rowwise() * self.weight.row(0).array();
@@ -233,13 +250,19 @@ void FoamEngine::exchange(Table::ConstColumn drag_kg_s, Table::ConstColumn veloc
   std::unique_ptr<DragDensity> drag(
       new DragDensity{{name("drag"), mesh, dimensionedScalar(dimMass / dimTime / dimVolume, Zero)},
                       {name("dragVelocity"), mesh, dimensionedVector(dimForce / dimVolume, Zero)},
-                      {name("extraForce"), mesh, dimensionedVector(dimForce / dimVolume, Zero)}});
+                      {name("extraForce"), mesh, dimensionedVector(dimForce / dimVolume, Zero)},
+                      nullptr});
   for (label cell = 0; cell < mesh.nCells(); ++cell) {
     drag->coefficient[cell] = density(0, cell);
     for (direction d = 0; d < 3; ++d) {
       drag->velocitySource[cell][d] = density(1 + d, cell);
       drag->force[cell][d] = density(4 + d, cell);
     }
+  }
+  if (self.moves_along) {
+    drag->addedMass = std::make_unique<volScalarField::Internal>(
+        name("addedMass"), mesh, dimensionedScalar(dimDensity, Zero));
+    Eigen::Map<MatrixXd>(drag->addedMass->data(), 1, mesh.nCells()) = density.row(7);
   }
   self.flow->setDrag(std::move(drag));
 }
@@ -298,6 +321,12 @@ void FoamEngine::sample(std::string const& field, Table::Column out) {
     out = self.kernel.gather(matrix(flow.saturation()().primitiveField()));
   } else if (field == "pressure_gradient") {
     out = self.kernel.gather(matrix(flow.meanPressureGradient()));
+  } else if (field == "acceleration") {
+    out = self.weighted(flow.meanAcceleration());
+  } else if (field == "vorticity") {
+    out = self.weighted(fvc::curl(flow.U())().primitiveField());
+  } else if (field == "viscous_stress") {
+    out = self.kernel.gather(matrix(flow.meanViscousStress()));
   } else if (field == "drag_reaction") {
     out = self.kernel.gather(matrix(flow.meanDragReaction()));
   } else {

@@ -23,7 +23,6 @@ DEFAULTS = {
     "models.drag": "di_felice",
     "models.drag_coefficient": "brown_lawler",
     "models.formulation": "A",
-    "models.pressure_gradient": True,
     "models.contact_scaling": "none",
     "fluid.engine": "openfoam",
     "dem.engine": "liggghts",
@@ -141,6 +140,8 @@ def load(argument: str, variant: str | None = None, settings: list[str] | None =
     for key, value in DEFAULTS.items():
         if case.get(key) is None:
             case.put(key, value)
+    if case.get("models.pressure_gradient") is None:
+        case.put("models.pressure_gradient", case.get("models.formulation") == "A")
     return case
 
 

@@ -29,6 +29,7 @@ def collect(case: Case, ready: Prepared) -> dict[str, object]:
         "drag": case.get("models.drag"),
         "drag_coefficient": case.get("models.drag_coefficient"),
         "formulation": case.get("models.formulation"),
+        "virtual_mass": case.get("models.virtual_mass"),
         "speed_m_s": case.get("check.speed"),
         "ranks": ready.ranks_fluid + ready.ranks_dem,
         "memory_available_bytes": os.sysconf("SC_AVPHYS_PAGES") * os.sysconf("SC_PAGE_SIZE"),

@@ -53,8 +53,16 @@ KEYS: dict[str, Key] = {
                                 "single_sphere", "none")),
     "models.drag_coefficient": Key("text", "drag coefficient of one sphere",
                                    choices=("brown_lawler", "dalla_valle", "schiller_naumann", "stokes")),
-    "models.formulation": Key("text", "A: particles share the pressure gradient", choices=("A",)),
-    "models.pressure_gradient": Key("flag", "pressure-gradient force (buoyancy) on the particles"),
+    "models.formulation": Key("text", "A: particles share the pressure gradient; B: the fluid carries it whole, "
+                              "drag K/eps and Archimedes' force act on particles (mild regime only)", choices=("A", "B")),
+    "models.pressure_gradient": Key("flag", "pressure-gradient force (buoyancy) on the particles; default true in formulation A, "
+                                    "not in B"),
+    "models.viscous_force": Key("flag", "particles carry their share V div(tau) of the viscous stress (A only); default false"),
+    "models.virtual_mass": Key("text", "fluid that particles move along, C rho V: none (default); constant, C = 1/2; "
+                               "zuber, C = (1 + 2 phi)/(2 (1 - phi))", choices=("none", "constant", "zuber")),
+    "models.lift": Key("text", "lift of particles that lag in a shear; default none", choices=("none", "saffman_mei")),
+    "models.torque": Key("text", "fluid turns particles: pi mu d^3 (curl u/2 - w); default none",
+                         choices=("none", "rotational_drag")),
     "models.contact_scaling": Key("text", "how contact constants follow coarse_grain; none: as given; "
                                   "proportional: K ~ D; sakai: forces of all grains (docs/contact.md)",
                                   choices=("none", "proportional", "sakai")),
@@ -189,6 +197,7 @@ def leaves(table: dict, prefix: str = "") -> Iterator[tuple[str, object]]:
 
 if __name__ == "__main__":
     for name, entry in KEYS.items():
-        extent = ", ".join(entry.choices) or (f"> {entry.above:g}" if entry.above is not None else "")
+        extent = ", ".join(entry.choices) or (f"> {entry.above:g}" if entry.above is not None else
+                                              f">= {entry.least:g}" if entry.least is not None else "")
         need = "required" if entry.required else ""
         print(f"| `{name}` | {entry.kind} | {entry.unit} | {extent} | {need} | {entry.meaning} |")

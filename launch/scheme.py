@@ -5,6 +5,7 @@ from __future__ import annotations
 from launch import preflight, progress, ranks, scene_numbers
 from launch.case import Case
 
+SERIAL_ONLY = ("virtual_mass", "lift", "torque", "viscous_force")
 RESPONSE = "drag on the fluid of a cell in a window, K W/m_fluid"
 
 
@@ -25,6 +26,9 @@ def _worth_it(case: Case, ready: preflight.Prepared) -> bool:
 
 def _proven(case: Case, ready: preflight.Prepared) -> bool:
     if case.get("coupling.regime") == "stiff" or case.get("models.drag") == "none":
+        return False
+    if case.get("models.formulation") != "A" or any(
+            case.get(f"models.{name}") not in ("none", False, None) for name in SERIAL_ONLY):
         return False
     if case.get("coupling.reaction") == "one_way":
         return True  # nothing comes back

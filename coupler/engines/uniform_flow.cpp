@@ -51,11 +51,10 @@ class UniformFlow : public FluidEngine {
   }
 
   std::vector<Field> samples() const override {
-    return {{"velocity", "m/s", 3},
-            {"density", "kg/m3", 1},
-            {"viscosity", "Pa s", 1},
-            {"void_fraction", "-", 1},
-            {"pressure_gradient", "Pa/m", 3}};
+    return {{"velocity", "m/s", 3},           {"density", "kg/m3", 1},
+            {"viscosity", "Pa s", 1},         {"void_fraction", "-", 1},
+            {"pressure_gradient", "Pa/m", 3}, {"acceleration", "m/s2", 3},
+            {"viscous_stress", "Pa/m", 3},    {"vorticity", "1/s", 3}};
   }
 
   void advance(Window const& window) override {
@@ -75,9 +74,15 @@ class UniformFlow : public FluidEngine {
       out.setOnes();
     } else if (field == "velocity") {
       out = velocities(std::sin(omega_ * time_s_));
-    } else if (field == "pressure_gradient") {  // time mean over the window, at fixed places
-      Vec3 const steady = gravity_ - omega_ * mean_cosine_ * amplitude_;
-      out = density_ * ((-gradient_ * velocities(mean_sine_)).colwise() + steady);
+    } else if (field == "pressure_gradient") {
+      out = density_ * ((-accelerations()).colwise() + gravity_);
+    } else if (field == "acceleration") {
+      out = accelerations();
+    } else if (field == "viscous_stress") {
+      out.setZero();
+    } else if (field == "vorticity") {
+      Matrix3d const& g = gradient_;
+      out.colwise() = Vec3(g(2, 1) - g(1, 2), g(0, 2) - g(2, 0), g(1, 0) - g(0, 1));
     } else {
       throw std::invalid_argument("slidewave_uniform has no field " + field);
     }
@@ -120,6 +125,12 @@ class UniformFlow : public FluidEngine {
   }
   Eigen::Matrix3Xd velocities(double sine) const {
     return (gradient_ * position_m_).colwise() + Vec3(velocity_ + sine * amplitude_);
+  }
+
+  /// Du/Dt, time mean over the window, at fixed places.
+  Eigen::Matrix3Xd accelerations() const {
+    return (gradient_ * velocities(mean_sine_)).colwise() +
+           Vec3(omega_ * mean_cosine_ * amplitude_);
   }
 
   Scene const& scene_;

@@ -3,6 +3,10 @@
 #include <cmath>
 #include <utility>
 
+#include "slidewave/physics/added_mass.hpp"
+#include "slidewave/physics/clump.hpp"
+#include "slidewave/physics/rotational_drag.hpp"
+#include "slidewave/physics/saffman_mei.hpp"
 #include "slidewave/physics/volume_forces.hpp"
 
 namespace slidewave {
@@ -27,13 +31,78 @@ void evaluate_drag(Models const& models, Table& particles) {
   }
 }
 
-void evaluate_force(Table& particles) {
-  auto const gradient = std::as_const(particles)["pressure_gradient"];
-  auto const radius = std::as_const(particles)["radius"];
+void evaluate_force(Models const& models, Vec3 const& gravity_m_s2, Table& particles) {
+  Table const& read = particles;
   auto force = particles["force"];
+  auto const radius = read["radius"];
+  force.setZero();
+  auto const add = [&](bool on, char const* field, auto const& law) {
+    if (on) {
+      auto const values = read[field];
+      for (long i = 0; i < particles.size(); ++i) {
+        force.col(i) += law(volume_of(radius(0, i)), values.col(i));
+      }
+    }
+  };
+  add(models.pressure_gradient, "pressure_gradient", [](double volume_m3, Vec3 const& gradient) {
+    return pressure_gradient_force(volume_m3, gradient);
+  });
+  add(models.viscous_force, "viscous_stress",
+      [](double volume_m3, Vec3 const& stress) { return viscous_force(volume_m3, stress); });
+  add(models.archimedes(), "density", [&](double volume_m3, auto const& density) {
+    return archimedes_force(volume_m3, density[0], gravity_m_s2);
+  });
+}
+
+void evaluate_added_mass(Models const& models, Table& particles) {
+  Table const& read = particles;
+  auto mass = particles["added_mass"];
+  auto const density = read["density"], radius = read["radius"];
+  bool const dense = models.porosity() && models.virtual_mass == VirtualMass::zuber;
   for (long i = 0; i < particles.size(); ++i) {
-    force.col(i) = pressure_gradient_force(volume_of(radius(0, i)), gradient.col(i));
+    double const eps = dense ? read["void_fraction"](0, i) : 1;
+    mass(0, i) = added_mass(added_mass_coefficient(eps), density(0, i), volume_of(radius(0, i)));
   }
+}
+
+void evaluate_lift(Models const& models, Table& particles) {
+  Table const& read = particles;
+  auto lift = particles["lift"];
+  auto const radius = read["radius"], density = read["density"], viscosity = read["viscosity"];
+  auto const fluid = read["fluid_velocity"], velocity = read["velocity"],
+             vorticity = read["vorticity"];
+  double const grains = grains_per_particle(models.coarse_grain);
+  for (long i = 0; i < particles.size(); ++i) {
+    double const diameter = grain_diameter(2 * radius(0, i), models.coarse_grain);
+    lift.col(i) = grains * saffman_mei_lift(diameter, density(0, i), viscosity(0, i),
+                                            fluid.col(i) - velocity.col(i), vorticity.col(i));
+  }
+}
+
+void push(Models const& models, Table& particles) {
+  Table const& read = particles;
+  auto to = particles[models.exchanged_force() ? "exchanged_force" : "force"];
+  if (models.exchanged_force()) {
+    to.setZero();
+  }
+  if (models.moves_fluid_along()) {
+    to += read["acceleration"] * read["added_mass"].row(0).asDiagonal();
+  }
+  if (models.lift) {
+    to += read["lift"];
+  }
+}
+
+void evaluate_torque(Models const& models, Table& particles) {
+  Table const& read = particles;
+  auto drag = particles["rotational_drag"];
+  auto const radius = read["radius"], viscosity = read["viscosity"];
+  double const grains = grains_per_particle(models.coarse_grain);
+  for (long i = 0; i < particles.size(); ++i) {
+    double const diameter = grain_diameter(2 * radius(0, i), models.coarse_grain);
+    drag(0, i) = grains * rotational_drag(diameter, viscosity(0, i));
+  }
+  particles["fluid_spin"] = 0.5 * read["vorticity"];
 }
 
 }  // namespace slidewave

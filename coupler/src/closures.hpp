@@ -10,8 +10,19 @@ namespace slidewave {
 /// void_fraction.
 void evaluate_drag(Models const& models, Table& particles);
 
-/// force [N] = -V grad p from pressure_gradient and radius.
-void evaluate_force(Table& particles);
+/// force [N]: the sum of -V grad p, V div tau and Archimedes' force, of those that are on.
+void evaluate_force(Models const& models, Vec3 const& gravity_m_s2, Table& particles);
+
+/// added_mass [kg] from density, radius and (with porosity) void_fraction.
+void evaluate_added_mass(Models const& models, Table& particles);
+/// lift [N] from velocity, fluid_velocity, vorticity, density, viscosity and radius.
+void evaluate_lift(Models const& models, Table& particles);
+/// Lift and added_mass x acceleration [N], of those that are on, into exchanged_force; one-way they
+/// are added to force.
+void push(Models const& models, Table& particles);
+
+/// rotational_drag [N m s] and fluid_spin [rad/s] from vorticity, viscosity and radius.
+void evaluate_torque(Models const& models, Table& particles);
 
 double volume_of(double radius_m);
 

@@ -169,7 +169,7 @@ int run(Session& session, ParticleEngine& engine) {
     Agreed const agreed = handshake(session.impl(), {{}, engine.features(), engine.bounds()});
     watch_signals();  // again: an engine may have taken them
     report_crashes_again();
-    check_particle_needs(agreed.models, engine.extras());
+    check_particle_needs(agreed.models, engine);
     DemLoop(session.impl(), engine, agreed).run();
     session.leave();
     return 0;

@@ -38,6 +38,13 @@ class FluidLoop {
         particles_.add(need.field);
       }
     }
+    if (models_.ledger() && !models_.drag) {  // stay 0
+      particles_.add({"drag", "kg/s", 1});
+      if (!models_.lift) {
+        particles_.add({"velocity", "m/s", 3});
+      }
+      particles_.add({"mean_velocity", "m/s", 3});
+    }
     if (models_.ledger()) {
       particles_.add({"repaid", "N", 3});
       if (agreed.saturation) {
@@ -47,10 +54,16 @@ class FluidLoop {
     if (models_.porosity()) {
       particles_.add({"volume", "m3", 1});
     }
+    if (models_.lift) {
+      particles_.add({"lift", "N", 3});
+      if (!models_.drag) {
+        particles_.add({"fluid_velocity", "m/s", 3});
+      }
+    }
     if (models_.stiff || models_.concurrent) {
       particles_.add({"response", "kg/s", 1});
     }
-    if (models_.stiff) {
+    if (models_.stiff || models_.archimedes()) {
       gravity_m_s2_ = session.scene.vector("physics.gravity");
     }
     bool const goes_on = checkpoints_.find();
@@ -132,19 +145,30 @@ class FluidLoop {
         engine_.deposit(std::as_const(particles_)["volume"]);
       }
     }
-    if (!models_.drag) {
-      return;
-    }
     Scope const scope(session_.profile, Phase::force);
-    sample("velocity", "fluid_velocity");
-    sample("density");
-    sample("viscosity");
-    if (models_.porosity()) {
-      sample("void_fraction");
+    for (char const* field : {"density", "viscosity", "void_fraction"}) {
+      if (particles_.has(field)) {
+        sample(field);
+      }
     }
-    evaluate_drag(models_, particles_);
+    if (models_.drag || models_.lift) {
+      sample("velocity", "fluid_velocity");
+    }
+    if (models_.drag) {
+      evaluate_drag(models_, particles_);
+    }
+    if (models_.moves_fluid_along()) {
+      evaluate_added_mass(models_, particles_);
+    }
+    if (models_.lift) {
+      sample("vorticity");
+      evaluate_lift(models_, particles_);
+    }
     if (models_.ledger()) {
       repay(window);
+      if (models_.lift) {
+        particles_["repaid"] -= particles_["lift"];
+      }
       if (models_.stiff) {
         foresee(window.length_s(), gravity_m_s2_, particles_);
       }
@@ -152,6 +176,9 @@ class FluidLoop {
         take_at_once();
       }
       Table const& read = particles_;
+      if (models_.moves_fluid_along()) {
+        engine_.add_mass(read["added_mass"]);
+      }
       engine_.exchange(read[reaction()], read["velocity"], read["repaid"]);
     }
   }
@@ -194,7 +221,17 @@ class FluidLoop {
     if (models_.drag) {
       sample("velocity", "fluid_velocity");
     }
-    if (models_.ledger() && !models_.concurrent) {
+    if (models_.moves_fluid_along()) {
+      sample("acceleration");
+    }
+    if (models_.viscous_force) {
+      sample("viscous_stress");
+    }
+    if (models_.torque) {
+      sample("vorticity");
+      evaluate_torque(models_, particles_);
+    }
+    if (models_.ledger() && models_.drag && !models_.concurrent) {
       sample("mean_velocity");
     }
   }
@@ -207,8 +244,13 @@ class FluidLoop {
       }
       if (models_.pressure_gradient) {
         sample("pressure_gradient");
-        evaluate_force(particles_);
         add_pressure();
+      }
+      if (models_.force()) {
+        evaluate_force(models_, gravity_m_s2_, particles_);
+      }
+      if (models_.lift || models_.moves_fluid_along()) {
+        push(models_, particles_);
       }
       if (models_.stiff) {
         sample("drag_reaction");
@@ -231,7 +273,11 @@ class FluidLoop {
     }
     auto const drag = particles_[reaction()];
     auto const slip = particles_["mean_velocity"] - particles_["velocity"];
-    particles_["given"] = length_s * (slip * drag.row(0).asDiagonal() - particles_["repaid"]);
+    auto given = particles_["given"];
+    given = length_s * (slip * drag.row(0).asDiagonal() - particles_["repaid"]);
+    if (models_.moves_fluid_along()) {
+      given += length_s * particles_["acceleration"] * particles_["added_mass"].row(0).asDiagonal();
+    }
   }
 
   void add_given(double window_s) {
@@ -252,9 +298,10 @@ class FluidLoop {
       return;
     }
     Eigen::Map<Vec3>(sums_.cell_pressure) = engine_.solid_pressure_force();
-    auto const force = particles_["force"];
-    Eigen::Map<Vec3>(sums_.particle_pressure) = -force.rowwise().sum();
-    sums_.particle_pressure_abs = force.colwise().norm().sum();
+    auto const share =
+        (particles_["pressure_gradient"] * particles_["volume"].row(0).asDiagonal()).eval();
+    Eigen::Map<Vec3>(sums_.particle_pressure) = share.rowwise().sum();
+    sums_.particle_pressure_abs = share.colwise().norm().sum();
   }
 
   /// The row of a finished window: the particle side's part comes after its advance.

@@ -85,8 +85,8 @@ void check_needs(Models const& models, std::vector<Field> const& offers) {
     if (!offered) {
       throw std::runtime_error(
           fmt::format("the model '{}' needs the field '{}' [{}], which the fluid engine does not "
-                      "offer; switch the model off or use another engine",
-                      need.model, need.field.name, need.field.unit));
+                      "offer; switch the model off ({}) or use another engine",
+                      need.model, need.field.name, need.field.unit, need.key));
     }
     if (offered->unit != need.field.unit || offered->components != need.field.components) {
       throw std::runtime_error(fmt::format(
@@ -97,15 +97,20 @@ void check_needs(Models const& models, std::vector<Field> const& offers) {
   }
 }
 
-void check_particle_needs(Models const& models, std::vector<std::string> const& offers) {
-  for (Need const& need : models.particle_needs()) {
-    if (std::find(offers.begin(), offers.end(), need.field.name) == offers.end()) {
-      throw InputError(
-          "case.toml", need.model, need.field.name,
-          "is not gathered by this particle engine; set coupling.regime = \"mild\" with "
-          "a window short enough, or use another engine");
+void check_particle_needs(Models const& models, ParticleEngine const& engine) {
+  auto const check = [](std::vector<Need> const& needs, std::vector<std::string> const& offers,
+                        char const* does) {
+    for (Need const& need : needs) {
+      if (std::find(offers.begin(), offers.end(), need.field.name) == offers.end()) {
+        throw InputError("case.toml", need.key, need.model,
+                         fmt::format("needs the column '{}' [{}], which this particle engine does "
+                                     "not {}; switch the model off or use another engine",
+                                     need.field.name, need.field.unit, does));
+      }
     }
-  }
+  };
+  check(models.particle_needs(), engine.extras(), "gather");
+  check(models.answer_needs(), engine.takes(), "take");
 }
 
 Agreed handshake(Session::Impl& session, Hello const& mine) {

@@ -29,8 +29,9 @@ Agreed handshake(Session::Impl& session, Hello const& mine);
 /// Throws std::runtime_error naming the model whose need is not among the offers.
 void check_needs(Models const& models, std::vector<Field> const& offers);
 
-/// The same for what a particle engine must gather beyond what every scene needs.
-void check_particle_needs(Models const& models, std::vector<std::string> const& offers);
+/// The same for what a particle engine must gather and take beyond what every scene needs: throws
+/// InputError.
+void check_particle_needs(Models const& models, ParticleEngine const& engine);
 
 /// The start-up table: what is active, what is left out and why, and the layout.
 std::string describe(Agreed const& agreed);

@@ -30,13 +30,18 @@ Layout Layout::of(Models const& models) {
   Layout layout;
   layout.to_fluid = {{"position", "m", 3}, {"radius", "m", 1}, {"cell_hint", "-", 1}};
   layout.to_dem = {{"cell", "-", 1}};
-  if (models.drag) {
+  if (models.drag || models.lift) {
     layout.to_fluid.push_back({"velocity", "m/s", 3});
+  }
+  if (models.drag) {
     layout.to_dem.push_back({"drag", "kg/s", 1});
     layout.to_dem.push_back({"fluid_velocity", "m/s", 3});
   }
-  if (models.pressure_gradient) {
+  if (models.force()) {
     layout.to_dem.push_back({"force", "N", 3});
+  }
+  for (Need const& need : models.answer_needs()) {
+    layout.to_dem.push_back(need.field);
   }
   if (models.ledger()) {
     layout.to_fluid.push_back({"ledger", "kg m/s", 3});
@@ -58,7 +63,7 @@ std::vector<Field> Layout::gathered(Models const& models, bool has_partner) {
     for (Need const& need : models.particle_needs()) {
       fields.push_back(need.field);
     }
-    if (models.drag) {
+    if (models.drag || models.lift) {
       fields.push_back({"velocity", "m/s", 3});
     }
     if (models.ledger()) {
@@ -74,8 +79,11 @@ std::vector<Field> Layout::answered(Models const& models) {
     fields.push_back({"drag", "kg/s", 1});
     fields.push_back({"fluid_velocity", "m/s", 3});
   }
-  if (models.pressure_gradient) {
+  if (models.force()) {
     fields.push_back({"force", "N", 3});
+  }
+  for (Need const& need : models.answer_needs()) {
+    fields.push_back(need.field);
   }
   return fields;
 }

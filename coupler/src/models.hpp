@@ -12,16 +12,25 @@ namespace slidewave {
 
 enum class Outside { error, warn, ignore };
 
-/// A field that a model wants from the fluid engine.
+/// models.virtual_mass: the coefficient C of added_mass.hpp.
+enum class VirtualMass { none, constant, zuber };
+
+/// A field that a model wants from an engine, and the key that switches the model off.
 struct Need {
   Field field;
   std::string model;
+  std::string key;
 };
 
 struct Models {
   bool drag = true;
   DragModel drag_model;
-  bool pressure_gradient = true;
+  Formulation formulation = Formulation::A;
+  bool pressure_gradient = true;  ///< A only
+  bool viscous_force = false;     ///< A only
+  bool lift = false;
+  bool torque = false;
+  VirtualMass virtual_mass = VirtualMass::none;
   bool two_way = true;
   bool stiff = false;             ///< drag right for any K W/m; the mild form costs less
   bool concurrent = false;        ///< both sides advance at once; else the fluid goes first
@@ -34,10 +43,21 @@ struct Models {
   static Models none();
   /// Porosity: the fluid sees the particles' volume.
   bool porosity() const { return two_way; }
+  bool moves_fluid_along() const { return virtual_mass != VirtualMass::none; }
+  bool archimedes() const { return formulation == Formulation::B; }
   /// Momentum goes both ways, so what is given and not received must be kept.
-  bool ledger() const { return two_way && drag; }
+  bool ledger() const { return two_way && (drag || lift || moves_fluid_along()); }
+  /// Forces beside drag whose reaction stands in the fluid's momentum equation.
+  bool exchanged_force() const { return two_way && (lift || moves_fluid_along()); }
+  /// Forces on particles alone: shares of the fluid's stress, and one-way all others.
+  bool force() const {
+    return pressure_gradient || viscous_force || archimedes() ||
+           (!two_way && (lift || moves_fluid_along()));
+  }
   /// What a particle engine must gather beyond what every scene needs.
   std::vector<Need> particle_needs() const;
+  /// What its apply() must take beyond that.
+  std::vector<Need> answer_needs() const;
   std::vector<Need> needs() const;
   std::vector<Feature> features() const;
 };

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "checks.hpp"
+#include "slidewave/physics/added_mass.hpp"
 #include "slidewave/physics/drag_models.hpp"
 #include "slidewave/physics/limits/added_mass_number.hpp"
 #include "slidewave/physics/limits/concurrent.hpp"
@@ -169,8 +170,24 @@ bool drag_damps(Facts const& facts, double from_stiffness) {
          tells_response(facts, unseen, "") && response_of(facts, denser(facts)).x >= from_stiffness;
 }
 
+/// C of virtual mass in the densest part.
+double virtual_mass(Facts const& facts) {
+  std::string const law = facts.text("virtual_mass", "none");
+  return law == "none"    ? 0
+         : law == "zuber" ? added_mass_coefficient(1 - solid_fraction(facts))
+                          : added_mass_coefficient(1);
+}
+
+double added_mass_of(Facts const& facts) {
+  return limits::added_mass_number(solid_fraction(facts),
+                                   facts.number("particle_density_min_kg_m3"),
+                                   facts.number("fluid_density_kg_m3"), virtual_mass(facts),
+                                   facts.text("formulation", "A") == "A");
+}
+
 void check_added_mass(Facts const& facts, Sheet& sheet) {
-  std::string const quantity = "added-mass number rho_f phi/(rho_s eps)";
+  std::string const quantity = virtual_mass(facts) > 0 ? "added-mass number, with virtual mass"
+                                                       : "added-mass number rho_f phi/(rho_s eps)";
   if (!facts.flag("two_way", true)) {
     sheet.left_out(quantity, "one-way: the fluid does not see the particles");
     return;
@@ -182,12 +199,14 @@ void check_added_mass(Facts const& facts, Sheet& sheet) {
                          : drag_damps(facts, limits::damping_stiffness)
                              ? limits::stiff_added_mass_number
                              : limits::mild_added_mass_number;
-    double const number =
-        limits::added_mass_number(solid_fraction(facts), facts.number("particle_density_min_kg_m3"),
-                                  facts.number("fluid_density_kg_m3"));
+    double const number = added_mass_of(facts);
+    Remedy remedy{"parameters.particle_density",
+                  facts.number("particle_density_min_kg_m3") * number / comfort};
+    if (virtual_mass(facts) > 0) {
+      remedy = {"models.virtual_mass", {}};
+    }
     sheet.at_most(quantity, number, comfort, limit, "inertia that comes back a window late",
-                  {"parameters.particle_density",
-                   facts.number("particle_density_min_kg_m3") * number / comfort});
+                  remedy);
   }
 }
 
@@ -204,8 +223,7 @@ void check_waves(Facts const& facts, Sheet& sheet) {
     return;
   }
   double const density = facts.number("particle_density_min_kg_m3");
-  double const fed = limits::added_mass_number(solid_fraction(facts), density,
-                                               facts.number("fluid_density_kg_m3"));
+  double const fed = added_mass_of(facts);
   if (fed < limits::feeding_added_mass_number) {
     sheet.left_out(quantity, "the fluid is too light to feed them");
     return;

@@ -61,6 +61,7 @@ std::vector<std::string> const& known_facts() {
                                               "drag",
                                               "drag_coefficient",
                                               "formulation",
+                                              "virtual_mass",
                                               "particles",
                                               "diameter_min_m",
                                               "diameter_max_m",
@@ -113,6 +114,7 @@ void add_case(Scene const& scene, Facts& facts) {
   facts.add_missing("drag", scene.text("models.drag", "di_felice"));
   facts.add_missing("drag_coefficient", scene.text("models.drag_coefficient", "brown_lawler"));
   facts.add_missing("formulation", scene.text("models.formulation", "A"));
+  facts.add_missing("virtual_mass", scene.text("models.virtual_mass", "none"));
   facts.add_missing("contact_scaling", scene.text("models.contact_scaling", "none"));
 }
 

@@ -4,6 +4,7 @@
 //   window_s end_time_s gravity_m_s2 two_way regime scheme  case.toml has these too; facts win
 //   dem_dt_s coarse_grain smoothing_length_m
 //   drag drag_coefficient formulation                     names of coupler/physics/drag_models.hpp
+//   virtual_mass                                          none, constant, zuber
 //   particles diameter_min_m diameter_max_m               number of particles, their sizes
 //   particle_density_min_kg_m3                            lightest material
 //   stiffness_N_m tangential_stiffness_N_m                kn, ks (default 0.9 kn)

@@ -16,6 +16,27 @@ TEST(Layout, CarriesOnlyWhatModelsWant) {
   EXPECT_NE(Layout::of(models).text().find("to fluid 40 B"), std::string::npos);
 }
 
+TEST(Layout, EachForceAddsItsOwnColumns) {
+  Models const plain;
+  auto const added = [&](Models const& models) {
+    return doubles_per_particle(Layout::of(models).to_dem) -
+           doubles_per_particle(Layout::of(plain).to_dem);
+  };
+  Models models;
+  models.virtual_mass = VirtualMass::constant;
+  EXPECT_EQ(added(models), 4);  // mass, and its force, which the budget counts
+  models.lift = true;
+  EXPECT_EQ(added(models), 4);
+  models.torque = true;
+  EXPECT_EQ(added(models), 8);
+  models.two_way = models.torque = false;
+  Models one_way;
+  one_way.two_way = false;
+  EXPECT_EQ(doubles_per_particle(Layout::of(models).to_dem),
+            doubles_per_particle(Layout::of(one_way).to_dem) + 1);
+  EXPECT_EQ(Layout::of(models).to_fluid.size(), Layout::of(one_way).to_fluid.size());
+}
+
 TEST(HomeCode, RoundTripsExactly) {
   for (int owner : {0, 1, 2097150}) {
     for (int cell : {-1, 0, 1, 2147483646}) {

@@ -68,6 +68,54 @@ TEST(Models, ConcurrentIsMildAndNeedsNoMeanVelocity) {
   EXPECT_THROW(read(two_way + "scheme = \"concurrent\"\nregime = \"stiff\"\n"), InputError);
 }
 
+TEST(Models, AForceThatIsOffCostsNothing) {
+  Models const models = read("[coupling]\nsmoothing_length = 1.0\n");
+  EXPECT_TRUE(models.answer_needs().empty());
+  EXPECT_FALSE(models.exchanged_force());
+  for (Need const& need : models.needs()) {
+    for (char const* field : {"acceleration", "vorticity", "viscous_stress"}) {
+      EXPECT_NE(need.field.name, field);
+    }
+  }
+}
+
+TEST(Models, EachForceAsksForItsOwn) {
+  std::string const start = "[coupling]\nsmoothing_length = 1.0\n[models]\n";
+  auto const wants = [&](std::string const& model, std::string const& field) {
+    bool found = false;
+    Models const models = read(start + model);
+    for (auto const& needs : {models.needs(), models.answer_needs()}) {
+      for (Need const& need : needs) {
+        found = found || need.field.name == field;
+      }
+    }
+    return found;
+  };
+  EXPECT_TRUE(wants("virtual_mass = \"zuber\"\n", "acceleration"));
+  EXPECT_TRUE(wants("virtual_mass = \"constant\"\n", "added_mass"));
+  EXPECT_TRUE(wants("virtual_mass = \"constant\"\n", "exchanged_force"));
+  EXPECT_TRUE(wants("lift = \"saffman_mei\"\n", "vorticity"));
+  EXPECT_FALSE(wants("lift = \"saffman_mei\"\n", "added_mass"));
+  EXPECT_TRUE(wants("torque = \"rotational_drag\"\n", "fluid_spin"));
+  EXPECT_FALSE(wants("torque = \"rotational_drag\"\n", "exchanged_force"));
+  EXPECT_TRUE(wants("viscous_force = true\n", "viscous_stress"));
+  EXPECT_FALSE(wants("formulation = \"B\"\n", "pressure_gradient"));
+}
+
+TEST(Models, FormulationBTakesNoShareOfTheStress) {
+  std::string const start = "[coupling]\nsmoothing_length = 1.0\n";
+  std::string const b = "[models]\nformulation = \"B\"\n";
+  Models const models = read(start + b);
+  EXPECT_TRUE(models.archimedes() && models.force() && !models.pressure_gradient);
+  EXPECT_EQ(models.drag_model.formulation, Formulation::B);
+  EXPECT_THROW(read(start + b + "pressure_gradient = true\n"), InputError);
+  EXPECT_THROW(read(start + b + "viscous_force = true\n"), InputError);
+  std::string const stiff = start + "regime = \"stiff\"\n";
+  EXPECT_THROW(read(stiff + b), InputError);
+  EXPECT_THROW(read(stiff + "[models]\nvirtual_mass = \"constant\"\n"), InputError);
+  EXPECT_THROW(read(stiff + "[models]\nlift = \"saffman_mei\"\n"), InputError);
+}
+
 TEST(Models, NoneIsNothing) {
   EXPECT_TRUE(Models::none().needs().empty());
   EXPECT_FALSE(Models::none().porosity());

@@ -148,4 +148,51 @@ TEST(Kick, AFreeComponentBesideAHeldOneIsKicked) {
   EXPECT_NEAR(scene.v(1, 2), -0.3 * (1 - decay), 1e-14);
 }
 
+// (m + M) dv/dt = K (u - v) + E + F + weight: exact in time, and the impulse is what the particle's
+// own momentum says that the fluid handed over beside F.
+TEST(Kick, AddedMassIsInertiaAndItsReactionIsBooked) {
+  for (double const stiffness : {0.0, 1e-3, 1.0, 1e3}) {
+    Falling fall;
+    double const dt_s = 1e-3, added = 0.7 * fall.mass_kg, inertia = fall.mass_kg + added;
+    double const drag = stiffness * fall.mass_kg / dt_s;
+    int const steps = 20;
+    fall.scene.lines({"fix fluid all slidewave drag " + text(drag) +
+                      " fluid_velocity 0.3 -0.2 0.1 force 2.5 0 1.5 added_mass " + text(added) +
+                      " exchanged_force 0.5 -4 0 impulse"});
+    fall.scene.lines({"velocity all set 0.4 0.5 -0.6 units box", "timestep " + text(dt_s),
+                      "run " + std::to_string(steps)});
+    double const u[3] = {0.3, -0.2, 0.1}, v0[3] = {0.4, 0.5, -0.6}, exchanged[3] = {0.5, -4, 0};
+    double const force[3] = {2.5, 0, 1.5 - 9.81 * fall.mass_kg};
+    double const time_s = dt_s * steps;
+    for (int axis = 0; axis < 3; ++axis) {
+      double const all = force[axis] + exchanged[axis];
+      double const v_inf = drag > 0 ? u[axis] + all / drag : 0;
+      double const expected = drag > 0
+                                  ? v_inf + (v0[axis] - v_inf) * std::exp(-drag * time_s / inertia)
+                                  : v0[axis] + all * time_s / inertia;
+      EXPECT_NEAR(fall.scene.v(1, axis), expected, 1e-12 * (1 + std::abs(v_inf))) << stiffness;
+      double const received =
+          fall.mass_kg * (fall.scene.v(1, axis) - v0[axis]) - force[axis] * time_s;
+      EXPECT_NEAR(fall.impulse(axis), received, 1e-11 * (std::abs(received) + fall.mass_kg))
+          << stiffness;
+    }
+  }
+}
+
+TEST(Kick, TurnsTowardsTheFluidsSpinAtAnyStiffness) {
+  for (double const stiffness : {1e-3, 1.0, 1e3}) {
+    Falling fall;
+    double const dt_s = 1e-3, inertia = 0.4 * fall.mass_kg * 0.05 * 0.05;
+    int const steps = 20;
+    fall.scene.lines({"fix fluid all slidewave rotational_drag " +
+                      text(stiffness * inertia / dt_s) + " fluid_spin 3 0 -2"});
+    fall.scene.lines({"timestep " + text(dt_s), "run " + std::to_string(steps)});
+    double const spin[3] = {3, 0, -2};
+    for (int axis = 0; axis < 3; ++axis) {
+      EXPECT_NEAR(fall.scene.omega(1, axis), spin[axis] * (1 - std::exp(-stiffness * steps)), 1e-12) << stiffness;
+    }
+    EXPECT_NEAR(fall.scene.v(1, 2), -9.81 * dt_s * steps, 1e-12);
+  }
+}
+
 }  // namespace

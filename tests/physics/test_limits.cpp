@@ -46,6 +46,27 @@ TEST(GravityWave, ExplicitSurfaceOfTheShortestWave) {
   }
 }
 
+TEST(AddedMassNumber, VirtualMassInAColumn) {
+  // The coupling's order, without drag: the fluid sees the particles' motion a window late, solves
+  // its momentum equation for the pressure gradient, and the particles move under it. What virtual
+  // mass took from the particles is repaid to the fluid a window later.
+  double const phi = 0.5, eps = 1 - phi, rho = 1000, rho_s = 2650;
+  for (double const c : {0.0, 0.5, 2.0}) {
+    for (bool const shares : {true, false}) {
+      double acceleration = 1;
+      for (int n = 0; n < 5; ++n) {
+        double const before = acceleration, fluid = -phi / eps * before;
+        double const reaction = phi * c * rho * (fluid - before);
+        double const gradient = -rho * fluid - reaction / eps;
+        acceleration = ((shares ? -gradient : 0) + c * rho * fluid) / (rho_s + c * rho);
+        EXPECT_NEAR(-acceleration / before, limits::added_mass_number(phi, rho_s, rho, c, shares),
+                    1e-12)
+            << c;
+      }
+    }
+  }
+}
+
 TEST(DragResponse, MixtureRelaxesFasterByItsLoading) {
   // Two momentum equations integrated finely: slip decays at K/m (1 + loading).
   double const k = 3, m = 2, fluid_mass = 0.5, time = 0.2;

@@ -69,7 +69,9 @@ class FluidEngine : public Engine {
   /// Which fields sample() can give, among: velocity, mean_velocity [m/s], density [kg/m3],
   /// viscosity [Pa s], void_fraction, saturation [-], pressure_gradient [Pa/m] (with hydrostatics;
   /// time mean over the last advance, so that particles receive the impulse that the fluid gave),
-  /// drag_reaction [Pa/m] (time mean of the force density of exchange() over the void fraction).
+  /// drag_reaction [Pa/m] (time mean of the force density of exchange() over the void fraction),
+  /// acceleration [m/s2] (Du/Dt, time mean over the last advance of what add_mass() resisted),
+  /// viscous_stress [Pa/m] (div tau, time mean over the last advance), vorticity [1/s] (curl u).
   virtual std::vector<Field> samples() const = 0;
   virtual Home locate(Vec3 const& position_m, int hint_cell) = 0;
   /// Keeps position and cell of this rank's particles; the kernel of deposit and sample until the
@@ -84,10 +86,15 @@ class FluidEngine : public Engine {
   /// K may be negative where a grain pulls the fluid along (stiff regime), never the whole matrix.
   virtual void exchange(Table::ConstColumn drag_kg_s, Table::ConstColumn velocity_m_s,
                         Table::ConstColumn force_N) = 0;
+  /// Before exchange(), with virtual mass only: mass [kg] of fluid that each particle moves along.
+  /// Spread likewise, it adds (mass) Du/Dt to the fluid's momentum equation and to given_impulse().
+  /// For engines that offer acceleration.
+  virtual void add_mass(Table::ConstColumn /*added_mass_kg*/) {}
   virtual void advance(Window const& window) = 0;
   /// Values at the particles by the exact transpose of deposit and smoothing, of the last advance;
-  /// concurrently also asked for before the next. velocity and mean_velocity (time mean of each
-  /// fluid step's final velocity) are weighted by density x void fraction at window start.
+  /// concurrently also asked for before the next. velocity, mean_velocity (time mean of each fluid
+  /// step's final velocity) and acceleration, vorticity are weighted by density x void fraction at
+  /// window start.
   virtual void sample(std::string const& field, Table::Column out) = 0;
 
   /// Momentum [kg m/s] that left the fluid through exchange() during the last advance, this rank's
@@ -116,8 +123,13 @@ class ParticleEngine : public Engine {
   virtual std::vector<std::string> extras() const { return {}; }
   /// Same rows as the last gather: drag [kg/s], fluid_velocity [m/s], force [N] to act during the
   /// coming advance through the exponential kick (physics/exponential_kick.hpp), and memory; only
-  /// columns that an enabled model fills are there.
+  /// columns that an enabled model fills are there (and those of takes()).
   virtual void apply(Table const& answers) = 0;
+  /// Columns that apply() can take beyond those, for scenes that need them:
+  /// added_mass [kg], inertia beside the particle's own; exchanged_force [N], acts like force, but
+  /// belongs to impulse, as does -added_mass dv/dt: impulse = m dv - (force and all others) dt;
+  /// rotational_drag R [N m s] and fluid_spin s [rad/s], torque R (s - w) through the same kick.
+  virtual std::vector<std::string> takes() const { return {}; }
   virtual void advance(Window const& window) = 0;
   /// Drag impulse [kg m/s] that this rank's particles received since the last apply, summed over
   /// sub-steps as they went, independently of the impulse column: lets the momentum budget see an

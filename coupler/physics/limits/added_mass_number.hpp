@@ -1,7 +1,14 @@
-// The added-mass number of a confined suspension, S = rho_f (C + phi/eps)/rho_s: by continuity a
-// moving particle pushes phi/eps of fluid the other way, and its inertia comes back through the
-// pressure gradient a window late. C is the virtual-mass coefficient where that force is lagged; 0
-// where it is inertia (always, here). Source: PHYSICS.md 0.10, 4.4, DESIGN.md 4.
+// The added-mass number of a confined suspension: by continuity a moving particle pushes r =
+// phi/eps of fluid the other way, and the inertia of that comes back through the pressure gradient
+// a window late. S = rho_f r/rho_s; with virtual mass, C rho_f V of inertia beside each particle's
+// own,
+//
+//   S = rho_f ((1 + 2 C) r + C r^2)/(rho_s + C rho_f):
+//
+// rho_f r of the fluid, C rho_f r of what the fluid's acceleration does to the particle, and
+// C rho_f r (1 + r) of the reaction on the fluid, which the pressure hands on. In formulation B no
+// pressure is handed on and C r is left. A lag multiplies by S a window. Source: PHYSICS.md 0.10,
+// 4.4, DESIGN.md 4; docs/theory.md.
 #pragma once
 
 namespace slidewave::limits {
@@ -15,9 +22,10 @@ constexpr double comfortable_stiff_added_mass_number = 1.0;
 constexpr double comfortable_added_mass_number = 0.6;  ///< rock in water at 0.6
 
 inline double added_mass_number(double solid_fraction, double solid_density, double fluid_density,
-                                double lagged_coefficient = 0) {
-  return fluid_density * (lagged_coefficient + solid_fraction / (1 - solid_fraction)) /
-         solid_density;
+                                double virtual_mass_coefficient = 0, bool shares_pressure = true) {
+  double const r = solid_fraction / (1 - solid_fraction), c = virtual_mass_coefficient;
+  double const pushed = shares_pressure ? (1 + 2 * c) * r + c * r * r : c * r;
+  return fluid_density * pushed / (solid_density + c * fluid_density);
 }
 
 }  // namespace slidewave::limits
