@@ -28,11 +28,11 @@ void evaluate_drag(Models const& models, Table& particles) {
 }
 
 void evaluate_force(Table& particles) {
-  auto const gradient = std::as_const(particles)["pressure_gradient"];
   auto const radius = std::as_const(particles)["radius"];
   auto force = particles["force"];
   for (long i = 0; i < particles.size(); ++i) {
-    force.col(i) = pressure_gradient_force(volume_of(radius(0, i)), gradient.col(i));
+    Vec3 const gradient = force.col(i);
+    force.col(i) = pressure_gradient_force(volume_of(radius(0, i)), gradient);
   }
 }
 

@@ -10,7 +10,7 @@ namespace slidewave {
 /// void_fraction.
 void evaluate_drag(Models const& models, Table& particles);
 
-/// force [N] = -V grad p from pressure_gradient and radius.
+/// force [N] = -V grad p from radius and grad p [Pa/m], which `force` holds before.
 void evaluate_force(Table& particles);
 
 double volume_of(double radius_m);

@@ -27,21 +27,18 @@ class FluidLoop {
         relay_(session),
         inbox_(session, agreed) {
     for (Field const& field : agreed.layout.to_fluid) {
-      particles_.add(field);
+      if (field.name != "cell_hint") {  // used where the message came in
+        particles_.add(field);
+      }
     }
     for (Field const& field : agreed.layout.to_dem) {
-      particles_.add(field);
-    }
-    for (Need const& need : models_.needs()) {
-      if (need.field.name != "velocity") {  // sampled into fluid_velocity
-        particles_.add(need.field);
+      if (field.name != "cell") {  // kept apart, as whole numbers
+        particles_.add(field);
       }
     }
+    plan_samples();
     if (models_.ledger()) {
       particles_.add({"repaid", "N", 3});
-      if (agreed.saturation) {
-        particles_.add({"saturation", "-", 1});
-      }
     }
     if (models_.porosity()) {
       particles_.add({"volume", "m3", 1});
@@ -125,12 +122,7 @@ class FluidLoop {
       return;
     }
     Scope const scope(session_.profile, Phase::force);
-    sample("velocity", "fluid_velocity");
-    sample("density");
-    sample("viscosity");
-    if (models_.porosity()) {
-      sample("void_fraction");
-    }
+    sample(at_start_);
     evaluate_drag(models_, particles_);
     if (models_.ledger()) {
       repay(window);
@@ -148,7 +140,6 @@ class FluidLoop {
     particles_["repaid"] = rate * particles_["ledger"];
     ledger_in_air_ = Vec3::Zero();
     if (agreed_.saturation) {
-      sample("saturation");
       auto const saturation = particles_["saturation"];
       for (long i = 0; i < particles_.size(); ++i) {
         if (saturation(0, i) < air_saturation) {
@@ -168,20 +159,15 @@ class FluidLoop {
   void end(Window const& window) {
     {
       Scope const scope(session_.profile, Phase::force);
-      if (models_.drag) {
-        sample("velocity", "fluid_velocity");
-      }
+      sample(at_end_);
       if (models_.ledger()) {
-        sample("mean_velocity");
         book(window.length_s());
       }
       if (models_.pressure_gradient) {
-        sample("pressure_gradient");
         evaluate_force(particles_);
       }
       sums_ = add_up(window.length_s());
       if (models_.stiff) {
-        sample("drag_reaction");
         answer_in_kick_form(window.length_s(), agreed_.in_plane, particles_);
       }
     }
@@ -193,11 +179,16 @@ class FluidLoop {
   /// The column of what acts on the fluid per slip.
   char const* reaction() const { return models_.stiff ? "response" : "drag"; }
 
-  /// What each particle's share of the source took from the fluid, less what was paid back.
+  /// What each particle's share of the source took from the fluid, less what was paid back. `given`
+  /// holds the fluid's mean velocity before.
   void book(double length_s) {
-    auto const drag = particles_[reaction()];
-    auto const slip = particles_["mean_velocity"] - particles_["velocity"];
-    particles_["given"] = length_s * (slip * drag.row(0).asDiagonal() - particles_["repaid"]);
+    Table const& read = particles_;
+    auto const drag = read[reaction()], velocity = read["velocity"], repaid = read["repaid"];
+    auto given = particles_["given"];
+    for (long i = 0; i < particles_.size(); ++i) {
+      Vec3 const slip = given.col(i) - velocity.col(i);
+      given.col(i) = length_s * (drag(0, i) * slip - repaid.col(i));
+    }
   }
 
   FluidSums add_up(double window_s) {
@@ -227,7 +218,7 @@ class FluidLoop {
       return;
     }
     Window const window = windows_[std::exchange(unreported_, -1)];
-    std::copy(session_.profile.seconds.begin(), session_.profile.seconds.end(), sums_.seconds);
+    take_times(session_.profile, sums_);
     session_.agreement.sum_side(numbers_of(sums_), count_of<FluidSums>(),
                                 "all fluid ranks to add up");
     if (!reporter_) {
@@ -239,8 +230,40 @@ class FluidLoop {
     reporter_->add(window, dem_sums_, dem_columns_, sums_, columns_);
   }
 
-  void sample(char const* field, char const* column = nullptr) {
-    engine_.sample(field, particles_[column ? column : field]);
+  /// A field of the engine's and the column that it goes to.
+  struct Wanted {
+    std::string field, column;
+  };
+
+  /// Fields at the start and at the end of a window. Some go where a force or an impulse is made of
+  /// them.
+  void plan_samples() {
+    for (Need const& need : models_.needs()) {
+      std::string const& name = need.field.name;
+      if (name == "velocity") {
+        at_start_.push_back({name, "fluid_velocity"});
+        at_end_.push_back({name, "fluid_velocity"});
+      } else if (name == "mean_velocity") {
+        at_end_.push_back({name, "given"});
+      } else if (name == "pressure_gradient") {
+        at_end_.push_back({name, "force"});
+      } else {
+        (name == "drag_reaction" ? at_end_ : at_start_).push_back({name, name});
+        particles_.add(need.field);
+      }
+    }
+    if (models_.ledger() && agreed_.saturation) {
+      at_start_.push_back({"saturation", "saturation"});
+      particles_.add({"saturation", "-", 1});
+    }
+  }
+
+  void sample(std::vector<Wanted> const& wanted) {
+    samples_.clear();
+    for (Wanted const& one : wanted) {
+      samples_.push_back({one.field, particles_[one.column]});
+    }
+    engine_.sample_all(samples_);
   }
 
   Session::Impl& session_;
@@ -252,6 +275,8 @@ class FluidLoop {
   Relay relay_;
   Inbox inbox_;
   Table particles_;
+  std::vector<Wanted> at_start_, at_end_;
+  std::vector<Sample> samples_;
   std::vector<int> cell_;
   Vec3 ledger_in_air_ = Vec3::Zero();
   Vec3 gravity_m_s2_ = Vec3::Zero();
