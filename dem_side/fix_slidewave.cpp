@@ -113,11 +113,17 @@ double* FixSlidewave::values(std::string const& column, int i) const {
   return found.components == 1 ? &found.store->vector_atom[i] : found.store->array_atom[i];
 }
 
+// LAMMPS keeps a two-dimensional array in one piece.
+FixSlidewave::Values FixSlidewave::values(std::string const& column) const {
+  return {atom->nlocal > 0 ? values(column, 0) : nullptr, columns_.at(column).components};
+}
+
 void FixSlidewave::begin_window() {
   factors_valid_ = false;
   received_.fill(0);
-  for (int i = 0; i < atom->nlocal && has("impulse"); ++i) {
-    std::fill_n(values("impulse", i), 3, 0.0);
+  if (has("impulse")) {
+    Values const impulse = values("impulse");
+    std::fill_n(impulse.first, 3L * atom->nlocal, 0.0);
   }
   for (int i = 0; i < atom->nlocal && has("start"); ++i) {
     domain->unmap(atom->x[i], atom->image[i], values("start", i));

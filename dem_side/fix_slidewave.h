@@ -49,6 +49,13 @@ class FixSlidewave : public Fix {
   bool has(std::string const& column) const { return columns_.count(column) > 0; }
   /// The column's values of a local atom: 1, 3 or 4 numbers. The column must exist.
   double* values(std::string const& column, int atom) const;
+  /// Those of all local atoms, one after the other, until atoms migrate or are created.
+  struct Values {
+    double* first = nullptr;
+    int components = 0;
+    double* operator[](int atom) const { return first + static_cast<long>(components) * atom; }
+  };
+  Values values(std::string const& column) const;
   /// New values of drag: a window begins, the impulse is counted from zero.
   void begin_window();
   /// Drag impulse [kg m/s] of this rank's atoms since begin_window(), counted kick by kick and not

@@ -1,7 +1,12 @@
 #include "liggghts_engine.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 
 #include "atom.h"
 #include "atoms_state.h"
@@ -206,12 +211,13 @@ void LiggghtsEngine::gather(Table& particles) {
   fill("radius", [&](int i, auto out) { out[0] = atom.radius[i]; });
   fill("mass", [&](int i, auto out) { out[0] = atom.rmass[i]; });
   for (char const* name : {"impulse", "memory"}) {
-    bool const kept = kick_ && kick_->has(name);
-    fill(name, [&](int i, auto out) {
-      for (long k = 0; k < out.rows(); ++k) {
-        out[k] = kept ? kick_->values(name, i)[k] : 0.0;
-      }
-    });
+    if (!kick_ || !kick_->has(name)) {
+      fill(name, [](int, auto out) { out.setZero(); });
+    } else if (particles.has(name)) {
+      auto const kept = kick_->values(name);
+      std::copy_n(kept.first, static_cast<long>(kept.components) * atom.nlocal,
+                  particles[name].data());
+    }
   }
   if (particles.has("travel")) {
     extras_wanted_ = true;
@@ -284,15 +290,14 @@ void LiggghtsEngine::apply(Table const& answers) {
       continue;
     }
     Table::ConstColumn const column = answers[name];
+    bool const positive = std::strcmp(name, "drag") == 0;
     for (int i = 0; i < atom.nlocal; ++i) {
-      if (!column.col(i).allFinite() || (std::string(name) == "drag" && column(0, i) < 0)) {
+      if (!column.col(i).allFinite() || (positive && column(0, i) < 0)) {
         session_.fail("particle " + std::to_string(atom.tag[i]) + " received a bad " + name + ": " +
                       std::to_string(column(0, i)));
       }
-      for (long k = 0; k < column.rows(); ++k) {
-        kick_->values(name, i)[k] = column(k, i);
-      }
     }
+    std::copy_n(column.data(), column.size(), kick_->values(name).first);
   }
   kick_->begin_window();
 }

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "FieldSampler.H"
 #include "FieldState.H"
 #include "FoamCase.H"
 #include "FoamEngine.H"
@@ -13,7 +14,6 @@
 #include "SolidFraction.H"
 #include "World.H"
 #include "cyclicPolyPatch.H"
-#include "fvcCurl.H"
 #include "graphOfMesh.H"
 #include "labelVector.H"
 #include "processorCyclicPolyPatch.H"
@@ -22,13 +22,8 @@ namespace slidewave::foam {
 namespace {
 
 using namespace Foam;
-using Eigen::MatrixXd;
 
-Eigen::Map<MatrixXd const> matrix(scalarField const& field) {
-  return {field.cdata(), 1, field.size()};
-}
-
-Eigen::Map<MatrixXd const> matrix(vectorField const& field) {
+Table::ConstColumn columns(vectorField const& field) {
   return {reinterpret_cast<double const*>(field.cdata()), 3, field.size()};
 }
 
@@ -96,11 +91,11 @@ struct FoamEngine::Impl {
   double output_interval_s, end_s;
   long outputs = -1;
 
-  // rho eps at window start, and what the kernel makes of it at the particles.
-  MatrixXd weight, weight_at_particles;
-  bool moves_along = false;  // virtual mass, two-way
-  MatrixXd added_mass_kg;    // of the coming window
-  bool weighed = false;
+  FieldSampler sampler;
+  scalarField target;
+  std::unique_ptr<DragDensity> drag;
+  bool moves_along = false;               // virtual mass, two-way
+  double const* added_mass_kg = nullptr;  // of the coming window, a particle each
 
   Impl(Scene const& the_scene, MPI_Comm the_comm, bool parallel)
       : scene(the_scene),
@@ -110,20 +105,25 @@ struct FoamEngine::Impl {
         kernel(makeKernel(scene, foam.mesh(), the_comm)),
         comm(the_comm),
         output_interval_s(scene.number("output.interval", 0)),
-        end_s(scene.number("case.end_time")) {}
+        end_s(scene.number("case.end_time")),
+        sampler(*flow, kernel),
+        target(foam.mesh().nCells()) {}
 
-  void weigh() {
-    if (weighed) return;
-    weight = matrix(flow->density()().primitiveField())
-                 .cwiseProduct(matrix(flow->eps().primitiveField()));
-    weight_at_particles = kernel.gather(weight);
-    weighed = true;
-  }
-
-  MatrixXd weighted(vectorField const& velocity) {
-    weigh();
-    MatrixXd const momentum = matrix(velocity).array().rowwise() * weight.row(0).array();
-    return kernel.gather(momentum).array().rowwise() / weight_at_particles.row(0).array();
+  void makeDrag() {
+    fvMesh const& mesh = foam.mesh();
+    auto const name = [&](char const* what) {
+      return IOobject(what, mesh.time().timeName(), mesh, IOobject::NO_READ, IOobject::NO_WRITE,
+                      /*registerObject=*/false);
+    };
+    drag.reset(new DragDensity{
+        {name("drag"), mesh, dimensionedScalar(dimMass / dimTime / dimVolume, Zero)},
+        {name("dragVelocity"), mesh, dimensionedVector(dimForce / dimVolume, Zero)},
+        {name("extraForce"), mesh, dimensionedVector(dimForce / dimVolume, Zero)},
+        nullptr});
+    if (moves_along) {
+      drag->addedMass = std::make_unique<volScalarField::Internal>(
+          name("addedMass"), mesh, dimensionedScalar(dimDensity, Zero));
+    }
   }
 
   void write(double now_s) {
@@ -214,62 +214,53 @@ void FoamEngine::place(Table::ConstColumn position_m, std::vector<int> const& ce
   impl_->kernel.place(position_m, cell);
   impl_->particles = static_cast<long>(cell.size());
   MPI_Allreduce(MPI_IN_PLACE, &impl_->particles, 1, MPI_LONG, MPI_SUM, impl_->comm);
-  impl_->weighed = false;
+  impl_->sampler.begin();
   impl_->flow->setDrag(nullptr);
 }
 
 void FoamEngine::deposit(Table::ConstColumn volume_m3) {
   Impl& self = *impl_;
   self.solid.deposit(self.kernel, volume_m3);
-  scalarField eps(self.foam.mesh().nCells());
-  Eigen::Map<MatrixXd>(eps.data(), 1, eps.size()) = self.solid.voidFraction();
-  self.flow->setTarget(eps);
+  forAll(self.target, cell) self.target[cell] = self.solid.voidFraction(cell);
+  self.flow->setTarget(self.target);
 }
 
 void FoamEngine::add_mass(Table::ConstColumn added_mass_kg) {
-  impl_->added_mass_kg = added_mass_kg;
+  impl_->added_mass_kg = added_mass_kg.data();
 }
 
 void FoamEngine::exchange(Table::ConstColumn drag_kg_s, Table::ConstColumn velocity_m_s,
                           Table::ConstColumn force_N) {
   Impl& self = *impl_;
   if (self.particles == 0) return;
-  self.weigh();
+  self.sampler.weighParticles();
   // Shares of a particle's drag: q = K / T(rho eps), so that the cells' total is K (u_f - v).
-  MatrixXd amounts(self.moves_along ? 8 : 7, self.kernel.particles());
-  amounts.row(0) = drag_kg_s.row(0);
-  amounts.middleRows(1, 3) = velocity_m_s.array().rowwise() * drag_kg_s.row(0).array();
-  amounts.middleRows(4, 3) = force_N;
-  if (self.moves_along) amounts.row(7) = self.added_mass_kg;
-  amounts.array().rowwise() /= self.weight_at_particles.row(0).array();
-  MatrixXd const density =
-      self.kernel.spread(amounts).array().rowwise() * self.weight.row(0).array();
-
-  fvMesh const& mesh = self.foam.mesh();
-  auto const name = [&](char const* what) { return IOobject(what, mesh.time().timeName(), mesh); };
-  std::unique_ptr<DragDensity> drag(
-      new DragDensity{{name("drag"), mesh, dimensionedScalar(dimMass / dimTime / dimVolume, Zero)},
-                      {name("dragVelocity"), mesh, dimensionedVector(dimForce / dimVolume, Zero)},
-                      {name("extraForce"), mesh, dimensionedVector(dimForce / dimVolume, Zero)},
-                      nullptr});
-  for (label cell = 0; cell < mesh.nCells(); ++cell) {
-    drag->coefficient[cell] = density(0, cell);
+  auto const density = self.kernel.spread(self.moves_along ? 8 : 7, [&](int i, double* out) {
+    double const share = 1 / self.sampler.particleWeight(i), drag = drag_kg_s(0, i) * share;
+    out[0] = drag;
+    for (int d = 0; d < 3; ++d) out[1 + d] = drag * velocity_m_s(d, i);
+    for (int d = 0; d < 3; ++d) out[4 + d] = share * force_N(d, i);
+    out[7] = self.moves_along ? share * self.added_mass_kg[i] : 0;
+  });
+  if (!self.drag) self.makeDrag();
+  for (label cell = 0; cell < self.foam.mesh().nCells(); ++cell) {
+    double const weight = self.sampler.cellWeight(cell);
+    self.drag->coefficient[cell] = weight * density(0, cell);
     for (direction d = 0; d < 3; ++d) {
-      drag->velocitySource[cell][d] = density(1 + d, cell);
-      drag->force[cell][d] = density(4 + d, cell);
+      self.drag->velocitySource[cell][d] = weight * density(1 + d, cell);
+      self.drag->force[cell][d] = weight * density(4 + d, cell);
     }
   }
   if (self.moves_along) {
-    drag->addedMass = std::make_unique<volScalarField::Internal>(
-        name("addedMass"), mesh, dimensionedScalar(dimDensity, Zero));
-    Eigen::Map<MatrixXd>(drag->addedMass->data(), 1, mesh.nCells()) = density.row(7);
+    scalarField& added = *self.drag->addedMass;
+    forAll(added, cell) added[cell] = self.sampler.cellWeight(cell) * density(7, cell);
   }
-  self.flow->setDrag(std::move(drag));
+  self.flow->setDrag(self.drag.get());
 }
 
 void FoamEngine::advance(Window const& window) try {
   Impl& self = *impl_;
-  if (self.particles > 0) self.weigh();
+  if (self.particles > 0) self.sampler.weigh();
   if (window.index == 0) {
     self.flow->initialise();
   } else {
@@ -304,34 +295,11 @@ void FoamEngine::Impl::observe() {
 }
 
 void FoamEngine::sample(std::string const& field, Table::Column out) {
-  Impl& self = *impl_;
-  if (self.particles == 0) return;
-  PorousFlow const& flow = *self.flow;
-  if (field == "velocity") {
-    out = self.weighted(flow.U().primitiveField());
-  } else if (field == "mean_velocity") {
-    out = self.weighted(flow.meanVelocity());
-  } else if (field == "density") {
-    out = self.kernel.gather(matrix(flow.density()().primitiveField()));
-  } else if (field == "viscosity") {
-    out = self.kernel.gather(matrix(flow.dynamicViscosity()().primitiveField()));
-  } else if (field == "void_fraction") {
-    out = self.kernel.gather(matrix(flow.eps().primitiveField()));
-  } else if (field == "saturation") {
-    out = self.kernel.gather(matrix(flow.saturation()().primitiveField()));
-  } else if (field == "pressure_gradient") {
-    out = self.kernel.gather(matrix(flow.meanPressureGradient()));
-  } else if (field == "acceleration") {
-    out = self.weighted(flow.meanAcceleration());
-  } else if (field == "vorticity") {
-    out = self.weighted(fvc::curl(flow.U())().primitiveField());
-  } else if (field == "viscous_stress") {
-    out = self.kernel.gather(matrix(flow.meanViscousStress()));
-  } else if (field == "drag_reaction") {
-    out = self.kernel.gather(matrix(flow.meanDragReaction()));
-  } else {
-    throw std::invalid_argument("slidewave_foam has no field " + field);
-  }
+  sample_all({{field, out}});
+}
+
+void FoamEngine::sample_all(std::vector<Sample> const& samples) {
+  if (impl_->particles > 0) impl_->sampler.sample(samples);
 }
 
 void FoamEngine::pass(State& state) try {
@@ -356,12 +324,12 @@ double FoamEngine::solid_volume_m3() const {
 Vec3 FoamEngine::solid_pressure_force() const {
   vectorField const& gradient = impl_->flow->meanPressureGradient();
   if (gradient.empty()) return Vec3::Zero();
-  return impl_->solid.integrate(impl_->kernel, matrix(gradient));
+  return impl_->solid.integrate(impl_->kernel, columns(gradient));
 }
 
 Vec3 FoamEngine::solid_reaction_force() const {
   if (impl_->particles == 0) return Vec3::Zero();
-  return impl_->solid.integrate(impl_->kernel, matrix(impl_->flow->meanDragReaction()));
+  return impl_->solid.integrate(impl_->kernel, columns(impl_->flow->meanDragReaction()));
 }
 
 }  // namespace slidewave::foam

@@ -35,7 +35,14 @@ void evaluate_force(Models const& models, Vec3 const& gravity_m_s2, Table& parti
   Table const& read = particles;
   auto force = particles["force"];
   auto const radius = read["radius"];
-  force.setZero();
+  if (models.pressure_gradient) {
+    for (long i = 0; i < particles.size(); ++i) {
+      Vec3 const gradient = force.col(i);
+      force.col(i) = pressure_gradient_force(volume_of(radius(0, i)), gradient);
+    }
+  } else {
+    force.setZero();
+  }
   auto const add = [&](bool on, char const* field, auto const& law) {
     if (on) {
       auto const values = read[field];
@@ -44,9 +51,6 @@ void evaluate_force(Models const& models, Vec3 const& gravity_m_s2, Table& parti
       }
     }
   };
-  add(models.pressure_gradient, "pressure_gradient", [](double volume_m3, Vec3 const& gradient) {
-    return pressure_gradient_force(volume_m3, gradient);
-  });
   add(models.viscous_force, "viscous_stress",
       [](double volume_m3, Vec3 const& stress) { return viscous_force(volume_m3, stress); });
   add(models.archimedes(), "density", [&](double volume_m3, auto const& density) {

@@ -10,7 +10,8 @@ namespace slidewave {
 /// void_fraction.
 void evaluate_drag(Models const& models, Table& particles);
 
-/// force [N]: the sum of -V grad p, V div tau and Archimedes' force, of those that are on.
+/// force [N]: the sum of -V grad p, V div tau and Archimedes' force, of those that are on. grad p
+/// [Pa/m] is what `force` holds before.
 void evaluate_force(Models const& models, Vec3 const& gravity_m_s2, Table& particles);
 
 /// added_mass [kg] from density, radius and (with porosity) void_fraction.

@@ -144,7 +144,7 @@ class DemLoop {
       Eigen::Map<Vec3>(sums.ledger) = outbox_.ledger().rowwise().sum();
       sums.received_abs = (agreed_.in_plane.asDiagonal() * impulse).colwise().norm().sum();
     }
-    std::copy(session_.profile.seconds.begin(), session_.profile.seconds.end(), sums.seconds);
+    take_times(session_.profile, sums);
     return sums;
   }
 

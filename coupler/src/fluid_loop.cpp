@@ -28,28 +28,24 @@ class FluidLoop {
         relay_(session),
         inbox_(session, agreed) {
     for (Field const& field : agreed.layout.to_fluid) {
-      particles_.add(field);
-    }
-    for (Field const& field : agreed.layout.to_dem) {
-      particles_.add(field);
-    }
-    for (Need const& need : models_.needs()) {
-      if (need.field.name != "velocity") {  // sampled into fluid_velocity
-        particles_.add(need.field);
+      if (field.name != "cell_hint") {  // used where the message came in
+        particles_.add(field);
       }
     }
+    for (Field const& field : agreed.layout.to_dem) {
+      if (field.name != "cell") {  // kept apart, as whole numbers
+        particles_.add(field);
+      }
+    }
+    plan_samples();
     if (models_.ledger() && !models_.drag) {  // stay 0
       particles_.add({"drag", "kg/s", 1});
       if (!models_.lift) {
         particles_.add({"velocity", "m/s", 3});
       }
-      particles_.add({"mean_velocity", "m/s", 3});
     }
     if (models_.ledger()) {
       particles_.add({"repaid", "N", 3});
-      if (agreed.saturation) {
-        particles_.add({"saturation", "-", 1});
-      }
     }
     if (models_.porosity()) {
       particles_.add({"volume", "m3", 1});
@@ -87,12 +83,11 @@ class FluidLoop {
       bool const at_once = models_.concurrent && n > 0;  // window 0 makes the first state
       begin(window);
       if (at_once) {
-        answer(window);
+        answer(window, at_once_);
       }
       advance(window);
       if (!at_once) {
-        sample_end();
-        answer(window);
+        answer(window, at_end_);
       }
       unreported_ = n;
       if (now.checkpoint) {
@@ -106,6 +101,11 @@ class FluidLoop {
   }
 
  private:
+  /// A field of the engine's and the column that it goes to.
+  struct Wanted {
+    std::string field, column;
+  };
+
   /// What any rank wishes for the end of this window.
   Wishes collect(long n, Wishes mine) {
     if (session_.world.has_partner()) {
@@ -146,14 +146,7 @@ class FluidLoop {
       }
     }
     Scope const scope(session_.profile, Phase::force);
-    for (char const* field : {"density", "viscosity", "void_fraction"}) {
-      if (particles_.has(field)) {
-        sample(field);
-      }
-    }
-    if (models_.drag || models_.lift) {
-      sample("velocity", "fluid_velocity");
-    }
+    sample(at_start_);
     if (models_.drag) {
       evaluate_drag(models_, particles_);
     }
@@ -161,7 +154,6 @@ class FluidLoop {
       evaluate_added_mass(models_, particles_);
     }
     if (models_.lift) {
-      sample("vorticity");
       evaluate_lift(models_, particles_);
     }
     if (models_.ledger()) {
@@ -189,7 +181,6 @@ class FluidLoop {
     particles_["repaid"] = rate * particles_["ledger"];
     ledger_in_air_ = Vec3::Zero();
     if (agreed_.saturation) {
-      sample("saturation");
       auto const saturation = particles_["saturation"];
       for (long i = 0; i < particles_.size(); ++i) {
         if (saturation(0, i) < air_saturation) {
@@ -215,45 +206,27 @@ class FluidLoop {
     add_given(window.length_s());
   }
 
-  /// Serial: particles receive what the fluid has become.
-  void sample_end() {
-    Scope const scope(session_.profile, Phase::force);
-    if (models_.drag) {
-      sample("velocity", "fluid_velocity");
-    }
-    if (models_.moves_fluid_along()) {
-      sample("acceleration");
-    }
-    if (models_.viscous_force) {
-      sample("viscous_stress");
-    }
-    if (models_.torque) {
-      sample("vorticity");
-      evaluate_torque(models_, particles_);
-    }
-    if (models_.ledger() && models_.drag && !models_.concurrent) {
-      sample("mean_velocity");
-    }
-  }
-
-  void answer(Window const& window) {
+  /// Serial: particles receive what the fluid has become; concurrent: what the last window left.
+  void answer(Window const& window, std::vector<Wanted> const& wanted) {
     {
       Scope const scope(session_.profile, Phase::force);
+      sample(wanted);
       if (models_.ledger()) {
         book(window.length_s());
       }
       if (models_.pressure_gradient) {
-        sample("pressure_gradient");
         add_pressure();
       }
       if (models_.force()) {
         evaluate_force(models_, gravity_m_s2_, particles_);
       }
+      if (models_.torque) {
+        evaluate_torque(models_, particles_);
+      }
       if (models_.lift || models_.moves_fluid_along()) {
         push(models_, particles_);
       }
       if (models_.stiff) {
-        sample("drag_reaction");
         answer_in_kick_form(window.length_s(), agreed_.in_plane, particles_);
       }
     }
@@ -265,18 +238,25 @@ class FluidLoop {
   /// The column of what acts on the fluid per slip.
   char const* reaction() const { return models_.stiff || models_.concurrent ? "response" : "drag"; }
 
-  /// What each particle's share of the source took from the fluid, less what was paid back.
+  /// What each particle's share of the source took from the fluid, less what was paid back. `given`
+  /// holds the fluid's mean velocity before.
   void book(double length_s) {
+    Table const& read = particles_;
+    auto const drag = read[reaction()], velocity = read["velocity"], repaid = read["repaid"];
+    auto given = particles_["given"];
     if (models_.concurrent) {
-      particles_["given"] = -length_s * particles_["repaid"];
+      given = -length_s * repaid;
       return;
     }
-    auto const drag = particles_[reaction()];
-    auto const slip = particles_["mean_velocity"] - particles_["velocity"];
-    auto given = particles_["given"];
-    given = length_s * (slip * drag.row(0).asDiagonal() - particles_["repaid"]);
+    for (long i = 0; i < particles_.size(); ++i) {
+      Vec3 const slip = given.col(i) - velocity.col(i);
+      given.col(i) = length_s * (drag(0, i) * slip - repaid.col(i));
+    }
     if (models_.moves_fluid_along()) {
-      given += length_s * particles_["acceleration"] * particles_["added_mass"].row(0).asDiagonal();
+      auto const acceleration = read["acceleration"], mass = read["added_mass"];
+      for (long i = 0; i < particles_.size(); ++i) {
+        given.col(i) += length_s * mass(0, i) * acceleration.col(i);
+      }
     }
   }
 
@@ -293,15 +273,20 @@ class FluidLoop {
     }
   }
 
+  /// `force` holds the pressure gradient still.
   void add_pressure() {
     if (!models_.porosity()) {
       return;
     }
     Eigen::Map<Vec3>(sums_.cell_pressure) = engine_.solid_pressure_force();
-    auto const share =
-        (particles_["pressure_gradient"] * particles_["volume"].row(0).asDiagonal()).eval();
-    Eigen::Map<Vec3>(sums_.particle_pressure) = share.rowwise().sum();
-    sums_.particle_pressure_abs = share.colwise().norm().sum();
+    Table const& read = particles_;
+    auto const gradient = read["force"], volume = read["volume"];
+    Eigen::Map<Vec3> whole(sums_.particle_pressure);
+    for (long i = 0; i < particles_.size(); ++i) {
+      Vec3 const share = volume(0, i) * gradient.col(i);
+      whole += share;
+      sums_.particle_pressure_abs += share.norm();
+    }
   }
 
   /// The row of a finished window: the particle side's part comes after its advance.
@@ -310,7 +295,7 @@ class FluidLoop {
       return;
     }
     Window const window = windows_[std::exchange(unreported_, -1)];
-    std::copy(session_.profile.seconds.begin(), session_.profile.seconds.end(), sums_.seconds);
+    take_times(session_.profile, sums_);
     session_.agreement.sum_side(numbers_of(sums_), count_of<FluidSums>(),
                                 "all fluid ranks to add up");
     if (!reporter_) {
@@ -322,8 +307,45 @@ class FluidLoop {
     reporter_->add(window, dem_sums_, dem_columns_, sums_, columns_);
   }
 
-  void sample(char const* field, char const* column = nullptr) {
-    engine_.sample(field, particles_[column ? column : field]);
+  /// Some go where a force or an impulse is made of them.
+  void plan_samples() {
+    for (Need const& need : models_.needs()) {
+      std::string const& name = need.field.name;
+      if (name == "velocity") {
+        at_start_.push_back({name, "fluid_velocity"});
+        if (models_.drag) {
+          at_end_.push_back({name, "fluid_velocity"});
+        }
+      } else if (name == "mean_velocity") {
+        at_end_.push_back({name, "given"});
+      } else if (name == "pressure_gradient") {
+        at_end_.push_back({name, "force"});
+        at_once_.push_back({name, "force"});
+      } else {
+        particles_.add(need.field);
+        bool const later = name == "drag_reaction" || name == "acceleration" ||
+                           name == "viscous_stress" || (name == "vorticity" && models_.torque);
+        bool const first = !later || (name == "vorticity" && models_.lift);
+        if (first) {
+          at_start_.push_back({name, name});
+        }
+        if (later) {
+          at_end_.push_back({name, name});
+        }
+      }
+    }
+    if (models_.ledger() && agreed_.saturation) {
+      at_start_.push_back({"saturation", "saturation"});
+      particles_.add({"saturation", "-", 1});
+    }
+  }
+
+  void sample(std::vector<Wanted> const& wanted) {
+    samples_.clear();
+    for (Wanted const& one : wanted) {
+      samples_.push_back({one.field, particles_[one.column]});
+    }
+    engine_.sample_all(samples_);
   }
 
   Session::Impl& session_;
@@ -335,6 +357,9 @@ class FluidLoop {
   Relay relay_;
   Inbox inbox_;
   Table particles_;
+  /// Sampled at the start and at the end of a window; and for answers that do not wait for its end.
+  std::vector<Wanted> at_start_, at_end_, at_once_;
+  std::vector<Sample> samples_;
   std::vector<int> cell_;
   Vec3 ledger_in_air_ = Vec3::Zero();
   Vec3 gravity_m_s2_ = Vec3::Zero();

@@ -67,13 +67,13 @@ void Inbox::locate(FluidEngine& engine, long window) {
     Batch& batch = batches_[b];
     double const* body = batch.message->data.data() + header_size;
     double const* hint = body + block_of(agreed_.layout.to_fluid, "cell_hint", batch.rows);
-    batch.home.resize(batch.rows);
+    batch.cell.resize(batch.rows);
     batch.stays.assign(batch.rows, 1);
     batch.misses.assign({stamp(window, tag::misses), 0});
     for (long i = 0; i < batch.rows; ++i) {
       Eigen::Map<Vec3 const> const point(body + 3 * i);
-      batch.home[i] = engine.locate(point, static_cast<int>(hint[i]));
-      Home const& home = batch.home[i];
+      Home const home = engine.locate(point, static_cast<int>(hint[i]));
+      batch.cell[i] = home.cell;
       if (home.cell < 0 || home.distance_m > 0) {
         batch.stays[i] = 0;
         batch.misses[1] += 1;
@@ -89,6 +89,10 @@ void Inbox::copy_rows(Incoming const& message, long offset, long rows,
   double const* in = message.data.data() + offset;
   for (Field const& field : agreed_.layout.to_fluid) {
     int const width = field.components;
+    if (field.name == "cell_hint") {  // has done its work
+      in += rows;
+      continue;
+    }
     double* out = particles[field.name].data() + begin * width;
     if (!stays) {
       std::memcpy(out, in, sizeof(double) * width * rows);
@@ -123,19 +127,22 @@ void Inbox::build(FluidEngine& engine, Table& particles, std::vector<int>& cell)
     int const from_moved = m < moved_.size() ? moved_[m]->source : 1 << 30;
     int const source = std::min(from_batch, from_moved);
     long const begin = static_cast<long>(cell.size());
+    std::vector<double>* buffer = nullptr;
     if (from_batch == source) {
       Batch const& batch = batches_[b++];
+      buffer = &batch.message->data;
       bool const all = batch.misses[1] == 0;
       copy_rows(*batch.message, header_size, batch.rows, all ? nullptr : &batch.stays, particles,
                 begin);
       for (long i = 0; i < batch.rows; ++i) {
         if (batch.stays[i]) {
-          cell.push_back(batch.home[i].cell);
+          cell.push_back(batch.cell[i]);
         }
       }
     }
     if (from_moved == source) {
-      Incoming const& message = *moved_[m++];
+      Incoming& message = *moved_[m++];
+      buffer = buffer ? buffer : &message.data;
       long const rows = static_cast<long>(message.data[1]);
       long const offset = static_cast<long>(message.data.size()) - width * rows;
       copy_rows(message, offset, rows, nullptr, particles, static_cast<long>(cell.size()));
@@ -146,7 +153,7 @@ void Inbox::build(FluidEngine& engine, Table& particles, std::vector<int>& cell)
     }
     long const rows = static_cast<long>(cell.size()) - begin;
     if (rows > 0) {
-      spans_.push_back({source, begin, rows});
+      spans_.push_back({source, begin, rows, buffer});
     }
   }
   particles.resize(static_cast<long>(cell.size()));
@@ -155,10 +162,8 @@ void Inbox::build(FluidEngine& engine, Table& particles, std::vector<int>& cell)
 void Inbox::answer(Table const& answers, std::vector<int> const& cell, long window) {
   Scope const scope(session_.profile, Phase::exchange);
   int const width = doubles_per_particle(agreed_.layout.to_dem);
-  buffers_.resize(std::max(buffers_.size(), spans_.size()));
-  for (std::size_t s = 0; s < spans_.size(); ++s) {
-    Span const& span = spans_[s];
-    std::vector<double>& buffer = buffers_[s];
+  for (Span const& span : spans_) {
+    std::vector<double>& buffer = *span.buffer;
     buffer.resize(header_size + width * span.rows);
     buffer[0] = stamp(window, tag::answers);
     buffer[1] = static_cast<double>(span.rows);

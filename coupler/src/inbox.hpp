@@ -21,9 +21,9 @@ class Inbox {
  private:
   /// A message of the first round with what location found.
   struct Batch {
-    Incoming const* message;
+    Incoming* message;
     long rows;
-    std::vector<Home> home;
+    std::vector<int> cell;
     std::vector<char> stays;
     std::vector<double> misses;
   };
@@ -32,6 +32,7 @@ class Inbox {
     int source;
     long begin;
     long rows;
+    std::vector<double>* buffer;  ///< the message they came in, done with: the answer's now
   };
 
   void locate(FluidEngine& engine, long window);
@@ -51,7 +52,6 @@ class Inbox {
   std::size_t batch_count_ = 0;
   std::vector<Incoming*> moved_;
   std::vector<Span> spans_;
-  std::vector<std::vector<double>> buffers_;
 };
 
 }  // namespace slidewave

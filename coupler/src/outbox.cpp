@@ -2,12 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
+#include "closures.hpp"
 #include "contact_memory.hpp"
 #include "exchange_columns.hpp"
 #include "tags.hpp"
-#include "windows.hpp"
 
 namespace slidewave {
 
@@ -16,13 +14,16 @@ Outbox::Outbox(Session::Impl& session, Agreed const& agreed)
       agreed_(agreed),
       map_(agreed.fluid_boxes),
       channel_(session),
-      sender_(session.world, session.waiter) {
+      sender_(session.world, session.waiter),
+      answered_(Layout::answered(agreed.models)) {
   derived_.add({"ledger", "kg m/s", 3});
   derived_.add({"cell_hint", "-", 1});
   if (agreed.models.stiff) {
     derived_.add({"other_force", "N", 3});
     derived_.add({"stiffness", "N/m", 1});
     derived_.add({"solid_velocity", "m/s", 3});
+    windows_ = Windows::of(session.scene);
+    gravity_m_s2_ = session.scene.vector("physics.gravity");
   }
 }
 
@@ -73,10 +74,9 @@ void Outbox::pack_rows(Table const& particles, int const* rows, long count, doub
 
 Wishes Outbox::send(Table const& particles, long window, Wishes mine) {
   Scope const scope(session_.profile, Phase::exchange);
-  recall(particles);
   if (agreed_.models.stiff) {
-    double const last_s = window > 0 ? Windows::of(session_.scene)[window - 1].length_s() : 0;
-    recall_contacts(particles, last_s, session_.scene.vector("physics.gravity"), derived_);
+    double const last_s = window > 0 ? (*windows_)[window - 1].length_s() : 0;
+    recall_contacts(particles, last_s, gravity_m_s2_, derived_);
   }
   choose_destinations(particles);
   int const width = doubles_per_particle(agreed_.layout.to_fluid);
@@ -110,7 +110,7 @@ void Outbox::judge_outside(Table const& particles, long window) {
   long first_outside = -1;
   for (long i = 0; i < particles.size(); ++i) {
     if (owner_[i] >= 0) {
-      census_.volume_m3 += 4 * M_PI / 3 * std::pow(radius(0, i), 3);
+      census_.volume_m3 += volume_of(radius(0, i));
     } else {
       first_outside = census_.outside++ == 0 ? i : first_outside;
     }
@@ -172,7 +172,7 @@ void Outbox::expect_answers() {
 void Outbox::receive(Table& answers, long window) {
   Scope const scope(session_.profile, Phase::exchange);
   answers.resize(static_cast<long>(owner_.size()));
-  for (Field const& field : Layout::answered(agreed_.models)) {
+  for (Field const& field : answered_) {
     answers[field.name].setZero();
   }
   auto memory = answers["memory"];
@@ -183,15 +183,17 @@ void Outbox::receive(Table& answers, long window) {
     keep_contacts(derived_, answers);
   }
   Phase phase = Phase::wait;
+  buffers_.resize(std::max(buffers_.size(), expected_count_));  // what they held was taken
   for (std::size_t e = 0; e < expected_count_; ++e) {
     auto const& [rank, rows] = expected_[e];
     if (rows.empty()) {
       continue;
     }
-    channel_.receive(rank, tag::answers, window, incoming_, "answers", phase);
+    std::vector<double>& incoming = buffers_[e];
+    channel_.receive(rank, tag::answers, window, incoming, "answers", phase);
     phase = Phase::exchange;
     long const count = static_cast<long>(rows.size());
-    double const* in = incoming_.data() + header_size;
+    double const* in = incoming.data() + header_size;
     for (Field const& field : agreed_.layout.to_dem) {
       if (field.name == "cell") {
         for (long k = 0; k < count; ++k) {

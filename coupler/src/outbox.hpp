@@ -2,10 +2,13 @@
 // the answers back to the same rows.
 #pragma once
 
+#include <optional>
+
 #include "channel.hpp"
 #include "handshake.hpp"
 #include "routes.hpp"
 #include "sparse.hpp"
+#include "windows.hpp"
 #include "wishes.hpp"
 
 namespace slidewave {
@@ -28,7 +31,7 @@ class Outbox {
   Census const& census() const { return census_; }
   /// Per particle of the last send: given and not yet received [kg m/s].
   Table::ConstColumn ledger() const { return derived_["ledger"]; }
-  /// Unpacks memory: ledger and last home. Called by send(), and once more after the last window.
+  /// Unpacks memory: ledger and last home. To be called before send(), and after the last window.
   void recall(Table const& particles);
   void pass(State& state) { state.pass("outbox.most_outside", most_outside_); }
   /// The fluid's ranks are others than those that memory names: look for all homes once again.
@@ -64,6 +67,9 @@ class Outbox {
   Groups groups_;
   std::vector<int> owner_;
   std::vector<std::vector<double>> buffers_;
+  std::vector<Field> answered_;
+  std::optional<Windows> windows_;  ///< stiff regime only, with gravity
+  Vec3 gravity_m_s2_ = Vec3::Zero();
   std::vector<double> incoming_;
   std::vector<Miss> misses_;
   std::vector<Expected> expected_;

@@ -130,11 +130,14 @@ void Summary::write(std::string const& status) const {
     json["smoothing_length_m"] = agreed_.models.smoothing_length_m;
   }
   json["timings"] = Json::object();
+  json["processor_timings"] = Json::object();
   if (fluid_ranks > 0) {
     json["timings"]["fluid"] = timings(fluid_.seconds, fluid_ranks);
+    json["processor_timings"]["fluid"] = timings(fluid_.processor_seconds, fluid_ranks);
   }
   if (dem_ranks > 0) {
     json["timings"]["dem"] = timings(dem_.seconds, dem_ranks);
+    json["processor_timings"]["dem"] = timings(dem_.processor_seconds, dem_ranks);
   }
   json["budgets"] = Json::object();
   for (auto const& [name, value] : budgets_) {

@@ -1,6 +1,8 @@
 // What each side adds up over its ranks in a window, as plain numbers so that one reduction does.
 #pragma once
 
+#include <algorithm>
+
 #include "profile.hpp"
 
 namespace slidewave {
@@ -16,6 +18,7 @@ struct DemSums {
   double received_abs = 0;  ///< sum of its magnitudes over the particles
   double ledger[3] = {};    ///< given less received, after the window [kg m/s]
   double seconds[Profile::phases] = {};
+  double processor_seconds[Profile::phases] = {};
 };
 
 /// All members are sums over the ranks of the fluid side.
@@ -27,7 +30,15 @@ struct FluidSums {
   double particle_pressure_abs = 0;
   double ledger_in_air[3] = {};  ///< kept by particles in air, not repaid [kg m/s]
   double seconds[Profile::phases] = {};
+  double processor_seconds[Profile::phases] = {};
 };
+
+template <class Sums>
+void take_times(Profile const& profile, Sums& sums) {
+  std::copy(profile.seconds.begin(), profile.seconds.end(), sums.seconds);
+  std::copy(profile.processor_seconds.begin(), profile.processor_seconds.end(),
+            sums.processor_seconds);
+}
 
 template <class Sums>
 constexpr int count_of() {

@@ -17,18 +17,18 @@ void Table::resize(long particles) {
   }
 }
 
-Table::Column Table::operator[](std::string const& name) {
+Table::Column Table::operator[](std::string_view name) {
   auto const found = columns_.find(name);
   if (found == columns_.end()) {
-    throw std::out_of_range("slidewave: no column '" + name + "' was negotiated");
+    throw std::out_of_range("slidewave: no column '" + std::string(name) + "' was negotiated");
   }
   return {found->second.values.data(), found->second.field.components, size_};
 }
 
-Table::ConstColumn Table::operator[](std::string const& name) const {
+Table::ConstColumn Table::operator[](std::string_view name) const {
   auto const found = columns_.find(name);
   if (found == columns_.end()) {
-    throw std::out_of_range("slidewave: no column '" + name + "' was negotiated");
+    throw std::out_of_range("slidewave: no column '" + std::string(name) + "' was negotiated");
   }
   return {found->second.values.data(), found->second.field.components, size_};
 }

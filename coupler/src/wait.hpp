@@ -35,7 +35,7 @@ class Waiter {
         remind(attempt, awaited());
       }
     }
-    profile_.of(counted_as) += now_s() - attempt.start_s;
+    profile_.add(counted_as, now_s() - attempt.start_s, processor_s() - attempt.start_busy_s);
   }
 
   template <class Awaited>
@@ -52,6 +52,7 @@ class Waiter {
  private:
   struct Attempt {
     double start_s = now_s();
+    double start_busy_s = processor_s();
     double spoken_s = start_s;
     double checked_s = start_s;
     double watched_s = start_s;

@@ -23,6 +23,7 @@ OneFluid::OneFluid(fvMesh& mesh, Time& time)
     : PorousFlow(mesh, time, "p"),
       nu_("nu", dimViscosity, transportProperties(mesh)),
       rho_("rho", dimDensity, transportProperties(mesh).lookupOrDefault<scalar>("rho", 1000)),
+      fluid_constants_{rho_.value(), (rho_ * nu_).value()},
       balance_(IOobject("balance", time.timeName(), mesh), mesh,
                dimensionedVector("balance", dimAcceleration, Zero)) {
   if (transportProperties(mesh).lookupOrDefault<word>("transportModel", "Newtonian") !=

@@ -104,12 +104,9 @@ void PorousFlow::keepMeans(Means const& wanted) {
   }
 }
 
-void PorousFlow::setDrag(std::unique_ptr<DragDensity> drag) {
-  drag_ = std::move(drag);
-}
-
 void PorousFlow::setTarget(scalarField const& eps) {
-  target_ = std::make_unique<scalarField>(eps);
+  if (!target_) target_ = std::make_unique<scalarField>(eps.size());
+  *target_ = eps;
   if (initialised_) return;
   rampTo(1);
   eps_.oldTime() == eps_;

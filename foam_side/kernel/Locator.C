@@ -13,7 +13,11 @@ Locator::Locator(fvMesh const& mesh)
     : mesh_(mesh),
       search_(mesh, polyMesh::FACE_PLANES),
       solved_(mesh.geometricD()),
-      middle_(mesh.bounds().midpoint()) {
+      middle_(mesh.bounds().midpoint()),
+      cells_(mesh.cells()),
+      owner_(mesh.faceOwner()),
+      areas_(mesh.faceAreas()),
+      centres_(mesh.faceCentres()) {
   search_.boundaryTree();  // built here, by all ranks
   search_.cellTree();
 }
@@ -26,15 +30,16 @@ point Locator::inSlab(Vec3 const& position_m) const {
   return inside;
 }
 
-// The face of `cell` whose plane the point lies farthest beyond, or -1 where it is inside all.
+// The face of `cell` whose plane the point lies farthest beyond, or -1 where it is inside all. Most
+// points are: the sign of the distance does, and no root is taken.
 label Locator::exitFace(point const& position, label cell) const {
   label exit = -1;
   scalar farthest = 0;
-  for (label const face : mesh_.cells()[cell]) {
-    vector const& area = mesh_.faceAreas()[face];
-    scalar beyond = (position - mesh_.faceCentres()[face]) & area / mag(area);
-    if (mesh_.faceOwner()[face] != cell) beyond = -beyond;
-    if (beyond > farthest) {
+  for (label const face : cells_[cell]) {
+    vector const& area = areas_[face];
+    scalar beyond = (position - centres_[face]) & area;
+    if (owner_[face] != cell) beyond = -beyond;
+    if (beyond > 0 && (beyond /= mag(area)) > farthest) {
       farthest = beyond;
       exit = face;
     }
@@ -47,7 +52,7 @@ label Locator::walk(point const& position, label cell) const {
     label const face = exitFace(position, cell);
     if (face < 0) return cell;
     if (!mesh_.isInternalFace(face)) return -1;
-    cell = mesh_.faceOwner()[face] == cell ? mesh_.faceNeighbour()[face] : mesh_.faceOwner()[face];
+    cell = owner_[face] == cell ? mesh_.faceNeighbour()[face] : owner_[face];
   }
   return -1;
 }

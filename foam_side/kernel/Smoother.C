@@ -36,64 +36,82 @@ Smoother::Smoother(MeshGraph graph, double length_m) : graph_(std::move(graph)) 
   // spread excess where nothing is to be smoothed.
   steps_ = static_cast<int>(std::ceil(2 * rate * total_m2));
   pseudo_time_m2_ = steps_ > 0 ? total_m2 / steps_ : 0.5 / std::max(rate, 1e-300);
+  listPulls();
 }
 
-// With the number of components known at compile time a face costs a few instructions.
-template <int Components>
-void Smoother::stepOf(Eigen::MatrixXd& all) const {
-  using Values = Eigen::Matrix<double, Components, Eigen::Dynamic>;
-  auto const neighbours = graph_.across(all);
-  Eigen::Map<Values> values(all.data(), all.rows(), all.cols());
-  Values change = Values::Zero(all.rows(), all.cols());
-  for (auto const& link : graph_.links) {
-    auto const flow = (link.conductance * (values.col(link.b) - values.col(link.a))).eval();
-    change.col(link.a) += flow;
-    change.col(link.b) -= flow;
-  }
-  for (std::size_t i = 0; i < graph_.borders.size(); ++i) {
-    auto const& border = graph_.borders[i];
-    for (std::size_t face = 0; face < border.cells.size(); ++face) {
-      int const cell = border.cells[face];
-      change.col(cell) += border.conductance[face] *
-                          (neighbours[i].col(static_cast<long>(face)) - values.col(cell));
+// What each cell takes from which neighbour, row by row.
+void Smoother::listPulls() {
+  columns_ = graph_.cells();
+  first_.assign(graph_.cells() + 1, 0);
+  auto const forAll = [this](auto const& visit) {
+    for (MeshGraph::Link const& link : graph_.links) {
+      visit(link.a, link.b, link.conductance);
+      visit(link.b, link.a, link.conductance);
     }
-  }
-  for (int cell = 0; cell < graph_.cells(); ++cell) {
-    values.col(cell) += pseudo_time_m2_ / graph_.volume_m3[cell] * change.col(cell);
-  }
+    int column = graph_.cells();
+    for (MeshGraph::Border const& border : graph_.borders) {
+      for (std::size_t i = 0; i < border.cells.size(); ++i) {
+        visit(border.cells[i], column++, border.conductance[i]);
+      }
+    }
+    columns_ = column;
+  };
+  forAll([this](int cell, int, double) { ++first_[cell + 1]; });
+  for (int cell = 0; cell < graph_.cells(); ++cell) first_[cell + 1] += first_[cell];
+  pulls_.resize(first_.back());
+  std::vector<int> next(first_.begin(), first_.end());
+  forAll([&](int cell, int column, double conductance) {
+    pulls_[next[cell]++] = {column, conductance * pseudo_time_m2_ / graph_.volume_m3[cell]};
+  });
+  messages_.resize(graph_.borders.size());
 }
 
-void Smoother::step(Eigen::MatrixXd& values) const {
-  switch (values.rows()) {
-    case 1:
-      return stepOf<1>(values);
-    case 3:
-      return stepOf<3>(values);
-    case 7:
-      return stepOf<7>(values);
-    default:
-      return stepOf<Eigen::Dynamic>(values);
+void Smoother::fillBorders(double* values, int components) const {
+  requests_.resize(2 * graph_.borders.size());
+  double* in = values + static_cast<long>(graph_.cells()) * components;
+  for (std::size_t b = 0; b < graph_.borders.size(); ++b) {
+    MeshGraph::Border const& border = graph_.borders[b];
+    int const size = static_cast<int>(border.cells.size()) * components;
+    messages_[b].resize(std::max<std::size_t>(messages_[b].size(), size));
+    double* out = messages_[b].data();
+    for (int const cell : border.cells) {
+      out = std::copy_n(values + static_cast<long>(cell) * components, components, out);
+    }
+    MPI_Irecv(in, size, MPI_DOUBLE, border.rank, border.tag, graph_.comm, &requests_[2 * b]);
+    MPI_Isend(messages_[b].data(), size, MPI_DOUBLE, border.rank, border.tag, graph_.comm,
+              &requests_[2 * b + 1]);
+    in += size;
   }
+  MPI_Waitall(static_cast<int>(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE);
 }
 
-void Smoother::smooth(Eigen::MatrixXd& values) const {
-  for (int i = 0; i < steps_; ++i) step(values);
+void Smoother::step(CellValues& values, CellValues& spare, int components) const {
+  spare.resize(values.size());
+  fillBorders(values.data(), components);
+  laneLoops().pull(pulls_.data(), first_.data(), graph_.cells(), values.data(), components,
+                   spare.data());
+  values.swap(spare);
 }
 
-double Smoother::spreadExcess(Eigen::MatrixXd& values, double limit, int passes) const {
+void Smoother::smooth(CellValues& values, CellValues& spare, int components) const {
+  for (int i = 0; i < steps_; ++i) step(values, spare, components);
+}
+
+double Smoother::spreadExcess(CellValues& values, double limit, int passes) const {
   double moved_m3 = 0;
+  excess_.resize(columns_);
   for (int pass = 0; pass < passes; ++pass) {
-    Eigen::MatrixXd excess = (values.array() - limit).max(0.0);
     double volume_m3 = 0;
     for (int cell = 0; cell < graph_.cells(); ++cell) {
-      volume_m3 += excess.col(cell).sum() * graph_.volume_m3[cell];
+      excess_[cell] = std::max(values[cell] - limit, 0.0);
+      volume_m3 += excess_[cell] * graph_.volume_m3[cell];
     }
     MPI_Allreduce(MPI_IN_PLACE, &volume_m3, 1, MPI_DOUBLE, MPI_SUM, graph_.comm);
     if (volume_m3 == 0) break;
     moved_m3 = std::max(moved_m3, volume_m3);
-    values -= excess;
-    step(excess);
-    values += excess;
+    for (int cell = 0; cell < graph_.cells(); ++cell) values[cell] -= excess_[cell];
+    step(excess_, spare_, 1);
+    for (int cell = 0; cell < graph_.cells(); ++cell) values[cell] += excess_[cell];
   }
   return moved_m3;
 }

@@ -47,17 +47,26 @@ std::vector<Vec3> shifts(Vec3 const& period_m) {
 
 }  // namespace
 
+void CellStencil::addCentre(Vec3 const& centre_m, Eigen::Matrix3d const& metric, int column) {
+  centres_.push_back({{centre_m[0], centre_m[1], centre_m[2]},
+                      {metric(0, 0), metric(1, 1), metric(2, 2), 2 * metric(0, 1), 2 * metric(0, 2),
+                       2 * metric(1, 2)}});
+  column_.push_back(column);
+}
+
 // Own cells first, then periodic images of own cells, then those of other ranks.
-void CellStencil::collectEntries(std::vector<CellShape> const& shapes, Vec3 const& period_m,
-                                 MPI_Comm comm) {
+void CellStencil::collectCentres(std::vector<CellShape> const& shapes, Vec3 const& period_m,
+                                 MPI_Comm comm, std::vector<Vec3>& reach_m) {
   int rank = 0, size = 1;
   MPI_Comm_rank(comm, &rank);
   MPI_Comm_size(comm, &size);
   auto const extents = extentsOfRanks(shapes, comm, size);
-  for (int cell = 0; cell < cells_; ++cell) {
-    CellShape const& s = shapes[cell];
-    entries_.push_back({s.centre_m, s.metric, s.reach_m, cell});
-  }
+  auto const add = [&](Vec3 const& centre_m, CellShape const& shape, int column) {
+    addCentre(centre_m, shape.metric, column);
+    reach_m.push_back(shape.reach_m);
+  };
+  centres_.reserve(shapes.size());
+  for (int cell = 0; cell < cells_; ++cell) add(shapes[cell].centre_m, shapes[cell], cell);
   std::vector<std::vector<double>> records(static_cast<std::size_t>(size));
   std::vector<std::vector<int>> given(static_cast<std::size_t>(size));
   for (Vec3 const& shift_m : shifts(period_m)) {
@@ -67,7 +76,7 @@ void CellStencil::collectEntries(std::vector<CellShape> const& shapes, Vec3 cons
       for (int other = 0; other < size; ++other) {
         if (!extents[other].meets(centre_m - s.reach_m, centre_m + s.reach_m)) continue;
         if (other == rank) {
-          if (!shift_m.isZero()) entries_.push_back({centre_m, s.metric, s.reach_m, cell});
+          if (!shift_m.isZero()) add(centre_m, s, cell);
           continue;
         }
         given[other].push_back(cell);
@@ -88,18 +97,23 @@ void CellStencil::collectEntries(std::vector<CellShape> const& shapes, Vec3 cons
     MPI_Sendrecv(records[other].data(), static_cast<int>(records[other].size()), MPI_DOUBLE, other,
                  2, received.data(), static_cast<int>(received.size()), MPI_DOUBLE, other, 2, comm,
                  MPI_STATUS_IGNORE);
-    borders_.push_back({other, given[other], cells_ + others_, theirs[other]});
+    borders_.push_back({other, given[other], cells_ + others_, theirs[other], {}});
     for (int i = 0; i < theirs[other]; ++i) {
       double const* const record = received.data() + static_cast<std::size_t>(i) * record_size;
-      entries_.push_back(
-          {Vec3(record + 1), Eigen::Matrix3d(record + 4), Vec3(record + 13), cells_ + others_ + i});
+      addCentre(Vec3(record + 1), Eigen::Matrix3d(record + 4), cells_ + others_ + i);
+      reach_m.emplace_back(record + 13);
     }
     others_ += theirs[other];
   }
 }
 
-// Entries are sorted into bins of about a cell; each cell asks the bins that its box touches.
-void CellStencil::findNeighbours(std::vector<CellShape> const& shapes) {
+// Centres are sorted into bins of about a cell; each cell asks the bins that its box touches.
+void CellStencil::findNeighbours(std::vector<CellShape> const& shapes,
+                                 std::vector<Vec3> const& reach_m) {
+  auto const extent = [&](std::size_t e) {
+    Vec3 const centre_m(centres_[e].centre_m);
+    return Extent{centre_m - reach_m[e], centre_m + reach_m[e]};
+  };
   Vec3 bin_m = Vec3::Zero();
   for (CellShape const& shape : shapes) bin_m += (shape.high_m - shape.low_m) / cells_;
   bin_m = (2 * bin_m).cwiseMax(1e-300);
@@ -116,10 +130,9 @@ void CellStencil::findNeighbours(std::vector<CellShape> const& shapes) {
     }
   };
   std::map<Bin, std::vector<int>> bins;
-  for (std::size_t e = 0; e < entries_.size(); ++e) {
-    Entry const& entry = entries_[e];
-    forBins(entry.centre_m - entry.reach_m, entry.centre_m + entry.reach_m,
-            [&](Bin const& bin) { bins[bin].push_back(static_cast<int>(e)); });
+  for (std::size_t e = 0; e < centres_.size(); ++e) {
+    Extent const own = extent(e);
+    forBins(own.low, own.high, [&](Bin const& bin) { bins[bin].push_back(static_cast<int>(e)); });
   }
   first_.assign(1, 0);
   std::vector<int> found;
@@ -129,9 +142,7 @@ void CellStencil::findNeighbours(std::vector<CellShape> const& shapes) {
       auto const place = bins.find(bin);
       if (place == bins.end()) return;
       for (int const e : place->second) {
-        Vec3 const& c = entries_[e].centre_m;
-        Vec3 const& r = entries_[e].reach_m;
-        if (Extent{c - r, c + r}.meets(shape.low_m, shape.high_m)) found.push_back(e);
+        if (extent(e).meets(shape.low_m, shape.high_m)) found.push_back(e);
       }
     });
     std::sort(found.begin(), found.end());

@@ -8,7 +8,7 @@ namespace {
 
 Table one_particle(double radius, double slip, double void_fraction) {
   Table table;
-  for (char const* name : {"velocity", "fluid_velocity", "pressure_gradient", "force"}) {
+  for (char const* name : {"velocity", "fluid_velocity", "force"}) {
     table.add({name, "", 3});
   }
   for (char const* name : {"density", "viscosity", "radius", "void_fraction", "drag"}) {
@@ -20,7 +20,7 @@ Table one_particle(double radius, double slip, double void_fraction) {
   table["viscosity"](0, 0) = 1e-3;
   table["radius"](0, 0) = radius;
   table["void_fraction"](0, 0) = void_fraction;
-  table["pressure_gradient"].col(0) = Vec3(0, 0, -9810);
+  table["force"].col(0) = Vec3(0, 0, -9810);  // grad p, before the force is made of it
   return table;
 }
 

@@ -28,8 +28,18 @@ ParticleKernel centroidKernel(MeshGraph const& graph, double length) {
 }
 
 void place(ParticleKernel& kernel, std::vector<int> const& cells) {
-  MatrixXd const nowhere = MatrixXd::Zero(3, static_cast<long>(cells.size()));
-  kernel.place(Table::ConstColumn(nowhere.data(), 3, nowhere.cols()), cells);
+  static MatrixXd const nowhere = MatrixXd::Zero(3, 10);
+  kernel.place(Table::ConstColumn(nowhere.data(), 3, static_cast<long>(cells.size())), cells);
+}
+
+MatrixXd smoothed(Smoother const& smoother, MatrixXd const& one) {
+  CellValues values(one.data(), one.data() + one.size()), spare;
+  smoother.smooth(values, spare, static_cast<int>(one.rows()));
+  return Eigen::Map<MatrixXd>(values.data(), one.rows(), one.cols());
+}
+
+Table::ConstColumn column(MatrixXd const& values) {
+  return {values.data(), values.rows(), values.cols()};
 }
 
 double product(MeshGraph const& graph, MatrixXd const& a, MatrixXd const& b) {
@@ -45,10 +55,8 @@ TEST(Smoother, IsConservativeSelfAdjointAndKeepsConstants) {
   MatrixXd const a = MatrixXd::NullaryExpr(1, 40, [&] { return uniform(random); });
   MatrixXd const b = MatrixXd::NullaryExpr(1, 40, [&] { return uniform(random); });
   MatrixXd const one = MatrixXd::Ones(1, 40);
-  MatrixXd sa = a, sb = b, s1 = one;
-  smoother.smooth(sa);
-  smoother.smooth(sb);
-  smoother.smooth(s1);
+  MatrixXd const sa = smoothed(smoother, a), sb = smoothed(smoother, b),
+                 s1 = smoothed(smoother, one);
   double const scale = product(smoother.graph(), a, one);
   EXPECT_NEAR(product(smoother.graph(), sa, one), scale, 1e-12 * scale);
   EXPECT_NEAR(product(smoother.graph(), sa, b), product(smoother.graph(), a, sb), 1e-12 * scale);
@@ -60,7 +68,7 @@ TEST(Smoother, HasTheAskedWidthAndStaysPositive) {
   Smoother const smoother(row(101), length);
   MatrixXd point = MatrixXd::Zero(1, 101);
   point(0, 50) = 1;
-  smoother.smooth(point);
+  point = smoothed(smoother, point);
   double variance = 0;
   for (int i = 0; i < 101; ++i) variance += point(0, i) * (i - 50) * (i - 50);
   EXPECT_NEAR(variance, length * length / 2, 1e-10);
@@ -78,18 +86,115 @@ TEST(ParticleKernel, SampleIsTheTransposeOfDeposit) {
   MatrixXd const amounts = (MatrixXd(1, 5) << 1, 2, 0.5, 3, 0.1).finished();
   MatrixXd const field =
       MatrixXd::NullaryExpr(1, 30, [](long, long i) { return std::sin(0.3 * i); });
-  double const cells = product(kernel.smoother().graph(), kernel.spread(amounts), field);
-  double const particles = (amounts * kernel.gather(field).transpose())(0);
+  MatrixXd const density = kernel.spread(1, [&](int i, double* out) { *out = amounts(0, i); });
+  double const cells = product(kernel.smoother().graph(), density, field);
+  kernel.fields(1) = field;
+  double particles = 0;
+  kernel.gather([&](int i, double const* value, int) { particles += amounts(0, i) * *value; });
   EXPECT_NEAR(cells, particles, 1e-12);
+}
+
+/// A lattice of n x n x n unit cubes.
+ParticleKernel latticeKernel(int n, double length) {
+  MeshGraph graph;
+  graph.comm = MPI_COMM_WORLD;
+  graph.volume_m3.assign(n * n * n, 1.0);
+  std::vector<CellShape> shapes;
+  for (int cell = 0; cell < n * n * n; ++cell) {
+    int const at[3] = {cell % n, cell / n % n, cell / (n * n)};
+    CellShape shape;
+    shape.low_m = Vec3(at[0], at[1], at[2]);
+    shape.high_m = shape.low_m + Vec3::Ones();
+    shape.centre_m = shape.low_m + 0.5 * Vec3::Ones();
+    shape.metric.setIdentity();
+    shape.reach_m = Vec3::Constant(spline_reach);
+    shapes.push_back(shape);
+    for (int d = 0, step = 1; d < 3; ++d, step *= n) {
+      if (at[d] > 0) graph.links.push_back({cell - step, cell, 1.0});
+    }
+  }
+  return {Smoother(graph, length), CellStencil(shapes, Vec3::Zero(), MPI_COMM_WORLD)};
+}
+
+/// Several fields at once, and more particles in a cell than are worked on together, against the
+/// same one field and one particle at a time.
+TEST(ParticleKernel, ManyAtOnceAreAsOneByOne) {
+  int const n = 5, count = 60;
+  ParticleKernel kernel = latticeKernel(n, 2);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  MatrixXd points(3, count);
+  std::vector<int> cells;
+  for (int i = 0; i < count; ++i) {  // three full cells, the others one or two each
+    int const cell = i < 13 ? 62 : i < 30 ? 0 : i < 38 ? 124 : 3 * (i - 30);
+    for (int d = 0, step = 1; d < 3; ++d, step *= n)
+      points(d, i) = cell / step % n + uniform(random);
+    cells.push_back(cell);
+  }
+  MatrixXd const amounts = MatrixXd::NullaryExpr(7, count, [&] { return uniform(random); });
+  MatrixXd const fields = MatrixXd::NullaryExpr(7, n * n * n, [&] { return uniform(random); });
+  kernel.place(column(points), cells);
+  MatrixXd const density = kernel
+                               .spread(7,
+                                       [&](int i, double* out) {
+                                         for (int c = 0; c < 8; ++c)
+                                           out[c] = c < 7 ? amounts(c, i) : 0;
+                                       })
+                               .topRows(7);
+  kernel.fields(7).topRows(7) = fields;
+  MatrixXd values(7, count);
+  kernel.gather([&](int i, double const* value, int stride) {
+    for (int c = 0; c < 7; ++c) values(c, i) = value[c * stride];
+  });
+
+  MatrixXd sum = MatrixXd::Zero(7, n * n * n);
+  for (int i = 0; i < count; ++i) {
+    MatrixXd const point = points.col(i);
+    kernel.place(column(point), {cells[i]});
+    for (int c = 0; c < 7; ++c) {
+      sum.row(c) += kernel.spread(1, [&](int, double* out) { *out = amounts(c, i); });
+      kernel.fields(1) = fields.row(c);
+      kernel.gather(
+          [&](int, double const* value, int) { EXPECT_NEAR(values(c, i), *value, 1e-14); });
+    }
+  }
+  EXPECT_LT((density - sum).cwiseAbs().maxCoeff(), 1e-13);
+  EXPECT_NEAR(density.sum(), amounts.sum(), 1e-11);
+}
+
+/// Both sets of instructions do the same, to round-off.
+TEST(LaneLoops, FastOnesAreTheSame) {
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  std::vector<SplineCentre> centres;
+  std::vector<int> near;
+  for (int k = 0; k < 27; ++k) {
+    centres.push_back({{k % 3 - 0.5, k / 3 % 3 - 0.5, k / 9 - 0.5}, {1, 0.8, 1.2, 0.1, 0, 0.2}});
+    near.push_back(k);
+  }
+  double points[3 * lanes];
+  for (double& x : points) x = uniform(random);
+  points[lanes - 1] = 90;  // far away: all to its own cell
+  std::vector<double> weights[2];
+  for (int way = 0; way < 2; ++way) {
+    weights[way].resize(27 * lanes);
+    auto const& loops = way == 0 ? plainLoops() : laneLoops();
+    loops.weights(centres.data(), near.data(), 27, 13, lanes, points, weights[way].data());
+  }
+  for (int k = 0; k < 27 * lanes; ++k) EXPECT_NEAR(weights[0][k], weights[1][k], 1e-15);
+  for (int k = 0; k < 27; ++k) EXPECT_EQ(weights[1][lanes * k + lanes - 1], k == 13 ? 1 : 0);
 }
 
 TEST(SolidFraction, KeepsTheVolumeWhenItIsBounded) {
   ParticleKernel kernel = centroidKernel(row(30), 1.5);
   place(kernel, {15, 15, 16});
   SolidFraction solid;
-  solid.deposit(kernel, (MatrixXd(1, 3) << 2, 2, 1.5).finished());
+  solid.deposit(kernel, column((MatrixXd(1, 3) << 2, 2, 1.5).finished()));
   EXPECT_NEAR(solid.volume_m3(kernel), 5.5, 5.5e-12);
-  EXPECT_GE(solid.voidFraction().minCoeff(), SolidFraction::smallest_void_fraction - 1e-12);
+  for (int cell = 0; cell < 30; ++cell) {
+    EXPECT_GE(solid.voidFraction(cell), SolidFraction::smallest_void_fraction);
+    EXPECT_LE(solid.voidFraction(cell), 1);
+  }
   EXPECT_GT(solid.moved_m3(), 0);
 }
 
@@ -97,7 +202,7 @@ TEST(SolidFraction, LeavesAModestDepositAlone) {
   ParticleKernel kernel = centroidKernel(row(30), 3);
   place(kernel, {15});
   SolidFraction solid;
-  solid.deposit(kernel, MatrixXd::Constant(1, 1, 0.5));
+  solid.deposit(kernel, column(MatrixXd::Constant(1, 1, 0.5)));
   EXPECT_EQ(solid.moved_m3(), 0);
 }
 

@@ -42,20 +42,30 @@ CellStencil latticeStencil(World const& world) {
   return CellStencil(shapes, Vec3(columns, 0, 0), MPI_COMM_WORLD);
 }
 
+/// One point's weights, in the first of a block's lanes.
+void weigh(CellStencil const& stencil, int cell, Vec3 const& point, CellStencil::Block& block) {
+  double points[3 * lanes] = {};
+  for (int d = 0; d < 3; ++d) points[lanes * d] = point[d];
+  stencil.begin(cell, block);
+  stencil.weigh(cell, 1, points, block);
+}
+
 /// Amounts of 1 at the points, on all cells of the lattice (column by column).
 Eigen::RowVectorXd deposited(World const& world, CellStencil const& stencil,
                              std::vector<Vec3> const& points) {
-  MatrixXd amounts = MatrixXd::Zero(1, stencil.columns());
+  std::vector<double> amounts(stencil.columns());
+  CellStencil::Block block;
   for (Vec3 const& point : points) {
     int const i = static_cast<int>(point[0]);
     if (i < world.begin(world.rank) || i >= world.begin(world.rank + 1)) continue;
-    std::vector<CellStencil::Share> shares;
     int const cell = (i - world.begin(world.rank)) * rows + static_cast<int>(point[1]);
-    stencil.shares(point, cell, shares);
-    for (auto const& share : shares) amounts(0, share.cell) += share.weight;
+    weigh(stencil, cell, point, block);
+    for (int k = 0; k < block.count; ++k) amounts[block.columns[k]] += block.weights[lanes * k];
   }
+  stencil.collect(amounts.data(), 1);
   Eigen::RowVectorXd all = Eigen::RowVectorXd::Zero(columns * rows);
-  all.segment(world.begin(world.rank) * rows, stencil.cells()) = stencil.collected(amounts);
+  all.segment(world.begin(world.rank) * rows, stencil.cells()) =
+      Eigen::Map<Eigen::RowVectorXd>(amounts.data(), stencil.cells());
   MPI_Allreduce(MPI_IN_PLACE, all.data(), columns * rows, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
   return all;
 }
@@ -102,10 +112,12 @@ TEST(CellStencil, FetchingIsTheTransposeOfCollecting) {
   CellStencil const stencil = latticeStencil(world);
   std::mt19937 random(3 + world.rank);
   std::uniform_real_distribution<double> uniform(0, 1);
-  MatrixXd const a = MatrixXd::NullaryExpr(1, stencil.columns(), [&] { return uniform(random); });
-  MatrixXd const f = MatrixXd::NullaryExpr(1, stencil.cells(), [&] { return uniform(random); });
-  double sums[2] = {a.cwiseProduct(stencil.withOthers(f)).sum(),
-                    stencil.collected(a).cwiseProduct(f).sum()};
+  MatrixXd a = MatrixXd::NullaryExpr(4, stencil.columns(), [&] { return uniform(random); });
+  MatrixXd f = MatrixXd::NullaryExpr(4, stencil.columns(), [&] { return uniform(random); });
+  stencil.fetch(f.data(), 4);
+  double sums[2] = {a.cwiseProduct(f).sum(), 0};
+  stencil.collect(a.data(), 4);
+  sums[1] = a.leftCols(stencil.cells()).cwiseProduct(f.leftCols(stencil.cells())).sum();
   MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
   EXPECT_NEAR(sums[0], sums[1], 1e-12 * sums[0]);
 }
@@ -123,11 +135,11 @@ TEST(CellStencil, NothingJumpsAtAFace) {
 
 TEST(CellStencil, CentroidGivesAllToItsCell) {
   CellStencil const stencil(5);
-  std::vector<CellStencil::Share> shares;
-  stencil.shares(Vec3(1, 2, 3), 4, shares);
-  ASSERT_EQ(shares.size(), 1u);
-  EXPECT_EQ(shares[0].cell, 4);
-  EXPECT_EQ(shares[0].weight, 1);
+  CellStencil::Block block;
+  weigh(stencil, 4, Vec3(1, 2, 3), block);
+  ASSERT_EQ(block.count, 1);
+  EXPECT_EQ(block.columns[0], 4);
+  EXPECT_EQ(block.weights[0], 1);
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ engine = "fake"
 cells = 12
 length = 2.0
 fluid_density = 1000.0
-fluid_velocity = 0.5
+fluid_velocity = {fluid_velocity}
 viscosity = {viscosity}
 particles = {particles}
 radius = 0.02
@@ -48,20 +48,21 @@ particle_density = 2650.0
 fault = "{fault}"
 """
 DEFAULTS = dict(end_time=0.2, window=0.01, patience=30.0, reaction="two_way", regime="mild", scheme="serial",
-                outside="error", drag="di_felice", fluid_engine="fake", particles=500, fault="", viscosity=0.001)
+                outside="error", drag="di_felice", fluid_engine="fake", particles=500, fault="", viscosity=0.001,
+                fluid_velocity=0.5)
 
 
 class Run:
     """One finished job: status, output, seconds, and the files it left."""
 
     def __init__(self, options, name, fluid=2, dem=3, case=None, fluid_program="fake_fluid", signal_at_row=0,
-                 **values):
+                 dem_program="fake_dem", **values):
         self.directory = options.work / name
         shutil.rmtree(self.directory, ignore_errors=True)
         self.directory.mkdir(parents=True)
         (self.directory / "case.toml").write_text(case or CASE.format(**{**DEFAULTS, **values}))
         programs = []
-        for count, program in ((fluid, fluid_program), (dem, "fake_dem")):
+        for count, program in ((fluid, fluid_program), (dem, dem_program)):
             if count:
                 programs.append(["-np", str(count), str(options.bin / program), str(self.directory)])
         line = shlex.split(options.mpirun) + programs[0]
@@ -312,6 +313,20 @@ def air(options):
     assert all(t > 0 for t in total[3:]), total
     water = Run(options, "water").must_pass()
     assert max(row["ledger_in_air_kg_m_s"] for row in water.rows()) == 0
+
+
+def allocations(options):
+    """A window of the steady state allocates nothing; the first rank of each side, which writes the
+    files, nothing that grows with the particles. Still water: no particle crosses to another rank."""
+    for regime in ("mild", "stiff"):
+        run = Run(options, "allocations_" + regime, fluid_program="counted_fluid", dem_program="counted_dem",
+                  particles=4000, fluid_velocity=0.0, regime=regime)
+        run.must_pass()
+        lines = (run.directory / "allocations.txt").read_text().split("\n")[:-1]
+        assert len(lines) == 5, lines
+        for line in lines:
+            _, rank, times, largest = line.split()
+            assert int(times) == 0 if rank != "0" else int(largest) < 4096, lines
 
 
 def uniform_flow(options):

@@ -62,6 +62,12 @@ class Engine {
   virtual void pass(State& /*state*/) {}
 };
 
+/// A field of FluidEngine::samples() and the column that takes its values at the particles.
+struct Sample {
+  std::string const& field;
+  Table::Column out;
+};
+
 /// A fluid: continuum on a mesh. Calls come in the order below, once a window. All MPI of the
 /// engine stays on its own communicator; every rank gets every call, with zero particles too.
 class FluidEngine : public Engine {
@@ -74,8 +80,9 @@ class FluidEngine : public Engine {
   /// viscous_stress [Pa/m] (div tau, time mean over the last advance), vorticity [1/s] (curl u).
   virtual std::vector<Field> samples() const = 0;
   virtual Home locate(Vec3 const& position_m, int hint_cell) = 0;
-  /// Keeps position and cell of this rank's particles; the kernel of deposit and sample until the
-  /// next place(). `smoothing_length_m` is the kernel's length, constant in a run.
+  /// Position and cell of this rank's particles, and thus the kernel of deposit and sample until
+  /// the next place(); the column stays as it is until then. `smoothing_length_m` is the kernel's
+  /// length, constant in a run.
   virtual void place(Table::ConstColumn position_m, std::vector<int> const& cell) = 0;
   /// Solid volume [m3] per particle: the void fraction ramps over the coming window from the value
   /// the last one ended with to this deposit. Not called without a model that needs porosity.
@@ -96,6 +103,12 @@ class FluidEngine : public Engine {
   /// step's final velocity) and acceleration, vorticity are weighted by density x void fraction at
   /// window start.
   virtual void sample(std::string const& field, Table::Column out) = 0;
+  /// Several fields at one time: for engines to which that is cheaper than one by one.
+  virtual void sample_all(std::vector<Sample> const& samples) {
+    for (Sample const& one : samples) {
+      sample(one.field, one.out);
+    }
+  }
 
   /// Momentum [kg m/s] that left the fluid through exchange() during the last advance, this rank's
   /// share, integrated from the source as it stood in the solved momentum equation.

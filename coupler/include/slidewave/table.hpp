@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace slidewave {
@@ -25,13 +26,13 @@ class Table {
   using ConstColumn = Eigen::Map<Eigen::MatrixXd const>;
 
   void add(Field const& field);
-  bool has(std::string const& name) const { return columns_.count(name) > 0; }
+  bool has(std::string_view name) const { return columns_.find(name) != columns_.end(); }
   long size() const { return size_; }
   /// Changes the number of particles; values of rows that stay are kept.
   void resize(long particles);
   /// Throws std::out_of_range, naming the field, where it was not added.
-  Column operator[](std::string const& name);
-  ConstColumn operator[](std::string const& name) const;
+  Column operator[](std::string_view name);
+  ConstColumn operator[](std::string_view name) const;
   std::vector<Field> fields() const;
   long bytes_per_particle() const;
 
@@ -40,7 +41,7 @@ class Table {
     Field field;
     std::vector<double> values;
   };
-  std::map<std::string, Data> columns_;
+  std::map<std::string, Data, std::less<>> columns_;
   long size_ = 0;
 };
 
