@@ -126,35 +126,37 @@ class Restart(unittest.TestCase):
             shutil.rmtree(out)
 
     def killed(self, case, *more):
+        """Each run is killed once in its first half and once in its second, at moments that the seed chooses."""
         whole = self.whole(case, *more)
-        seconds = results.read_summary(whole)["wall_s"]
+        rows = len(results.read_history(whole)["time_s"])
         for seed in range(int(os.environ.get("SLIDEWAVE_KILLS", "1"))):
             out = self.place / f"killed{seed}"
-            chance, kills = random.Random(seed), 0
+            chance, struck = random.Random(seed), []
             for attempt in range(9):
                 job = slidewave("run", *case, "--out", out, *(["--restart"] if attempt else more))
-                kills += self.strike(job, out, chance.uniform(0.2, 1.0) * seconds) if attempt < 2 else 0
+                if attempt < 2:
+                    row = chance.randrange(attempt * rows // 2 + 1, (attempt + 1) * rows // 2 - 3)
+                    struck += self.strike(job, out, row, chance)
                 text = job.communicate(timeout=600)[0]
                 if results.read_summary(out).get("status") == "completed":
                     break
                 self.assertNotEqual(job.returncode, 0)
-            self.assertGreater(kills, 0)
-            print(f"killed {kills} times, {results.read_summary(out)['restarts']} restarts", flush=True)
             self.assertEqual(results.read_summary(out)["status"], "completed", text)
+            self.assertGreater(len(struck), 0, "the run was over before it could be killed")
             self.same(whole, out)
+            print(f"killed in windows {struck}, went on to the same end", flush=True)
 
-    def strike(self, job, directory, after_s):
-        """kill -9 of one process, so long after the programs began. Gives how many were hit."""
-        while job.poll() is None and not solvers(directory):
-            time.sleep(0.02)
-        end = time.monotonic() + after_s
-        while job.poll() is None and time.monotonic() < end:
-            time.sleep(0.02)
+    def strike(self, job, directory, row, chance):
+        """kill -9 of one process, a moment after so many windows. Gives the window, nothing where it was too late."""
+        history = directory / "history.csv"
+        while job.poll() is None and not (history.is_file() and history.read_text().count("\n") > row):
+            time.sleep(0.005)
+        time.sleep(chance.uniform(0, 0.05))
         there = solvers(directory)
         if not there:
-            return 0
-        os.kill(random.Random(after_s).choice(there), signal.SIGKILL)
-        return 1
+            return []
+        os.kill(chance.choice(there), signal.SIGKILL)
+        return [row]
 
     def test_killed_sphere(self):
         self.killed(SPHERE)
