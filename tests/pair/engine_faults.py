@@ -39,7 +39,7 @@ WRITTEN = (
      adding("variable push equal 0*exp(10*(step-30))\nfix push all addforce 0 0 v_push"), ["not a number"],
      True),
     ("a particle leaves (script)", "dem", "run", SCRIPT,
-     adding("variable push equal 0.05*(step>100)\nfix push all addforce v_push 0 0"), ["outside the fluid mesh", "lost"],
+     adding("variable push equal 1e3*(step>60)\nfix push all addforce v_push 0 0"), ["outside the fluid mesh", "Lost atoms"],
      True),
     ("numbers overflow (boundary condition)", "fluid", "run", VELOCITY,
      lambda t: t.replace("noSlip;", "uniformFixedValue; uniformValue table ((0 (0 0 0)) (0.01 (0 0 0)) "
