@@ -32,8 +32,9 @@ def _drag() -> list[Scene]:
               for x, phi in ((0.1, 0.5), (0.25, 0.3), (1, 0.5), (3, 0.5), (30, 0.3), (1000, 0.3))]
     found += [suspension("drag, K W/m", f"suspension, mild, {x:g}", x=x, more=MILD) for x in (0.2, 1, 10, 100)]
     found += [held("drag, K W/m", f"held bed, {x:g}", x=x, ratio=20, windows=n) for x, n in ((0.1, 300), (10, 30), (1e3, 30))]
-    found += [held("drag, K W/m", f"held bed, mild, {x:g}", x=x, more=MILD, windows=60, quick=x == 100)
-              for x in (0.5, 2, 20, 100)]
+    found += [held("drag, K W/m", f"held bed, mild, {'soft' if soft == 1 else 'rigid'} contacts, {x:g}", x=x, more=MILD, windows=60,
+                   softness=soft, quick=(x, soft) == (2, 1))
+              for x, soft in ((0.5, 1), (2, 1), (20, 1), (100, 1), (20, 0.01))]
     return found
 
 
