@@ -36,7 +36,8 @@ void check_step(Facts const& facts, Sheet& sheet) {
       mass, kn, ks, facts.number("contact_number", limits::usual_contact_number));
   double const step = facts.number("dem_dt_s");
   double const comfort = limits::comfortable_step_fraction * critical;
-  sheet.at_most(quantity, step, comfort, critical, "critical step of the fastest contact mode",
+  sheet.at_most(quantity, step, comfort, limits::largest_step_fraction * critical,
+                "three quarters of the critical step of the fastest contact mode",
                 {"parameters.dem_dt", dividing_step(facts, comfort)});
   double const wanted = limits::steps_per_contact;
   sheet.at_least(

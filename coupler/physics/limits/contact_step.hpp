@@ -33,6 +33,9 @@ inline double contact_time(double mass_kg, double kn_N_m) {
 
 /// Share of the critical step that a run should keep to: 0.36 sqrt(m/kn) for ks = 0.9 kn.
 constexpr double comfortable_step_fraction = 0.7;
+/// Above this share dense lattices of spheres that do not slip, on a floor, gained energy: right at
+/// 0.74, grown at 0.79 (docs/stability.md). Slipping spheres bear more.
+constexpr double largest_step_fraction = 0.75;
 
 /// Steps in a collision for dense flow, whose contacts last (VAJONT.md: no effect down to 4.3);
 /// single collisions want 20 to 50 (PHYSICS.md 4.1).
