@@ -94,8 +94,9 @@ class Forces(ScratchCase):
         """LAMMPS takes neither added mass nor torque, and says so before anything runs."""
         for model, value, column in (("virtual_mass", "constant", "added_mass"),
                                      ("torque", "rotational_drag", "rotational_drag")):
-            status, text, err = self.slidewave("run", self.case, "--variant", "lammps", "--out",
-                                               self.place / model, f"--set=models.{model}={value}")
+            status, text, err = self.slidewave("run", self.case, "--variant", "uniform", "--out",
+                                               self.place / model, f"--set=models.{model}={value}",
+                                               "--set=dem.engine=lammps", "--set=dem.script=dem/in.lammps")
             self.assertEqual(status, 2, text + err)
             self.assertIn(f"models.{model}", text + err)
             self.assertIn(column, text + err)

@@ -77,7 +77,7 @@ TEST(Closures, ArchimedesIsTheSameAndComesInstead) {
   models.pressure_gradient = false;
   evaluate_force(models, Vec3(0, 0, -9.81), table);
   EXPECT_NEAR(table["force"](2, 0), 9810 * 4 * M_PI / 3 * 1e-3, 1e-10);
-  table["pressure_gradient"].setConstant(1e6);  // not asked for
+  table["force"].setConstant(1e6);  // a gradient that was not asked for
   evaluate_force(models, Vec3(0, 0, -9.81), table);
   EXPECT_EQ(table["force"](0, 0), 0);
 }

@@ -189,7 +189,8 @@ TEST(Kick, TurnsTowardsTheFluidsSpinAtAnyStiffness) {
     fall.scene.lines({"timestep " + text(dt_s), "run " + std::to_string(steps)});
     double const spin[3] = {3, 0, -2};
     for (int axis = 0; axis < 3; ++axis) {
-      EXPECT_NEAR(fall.scene.omega(1, axis), spin[axis] * (1 - std::exp(-stiffness * steps)), 1e-12) << stiffness;
+      EXPECT_NEAR(fall.scene.omega(1, axis), spin[axis] * (1 - std::exp(-stiffness * steps)), 1e-12)
+          << stiffness;
     }
     EXPECT_NEAR(fall.scene.v(1, 2), -9.81 * dt_s * steps, 1e-12);
   }
