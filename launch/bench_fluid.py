@@ -71,7 +71,10 @@ def _prepare(scene: Scene, settings: tuple[str, ...], steps: int, place: Path) -
     case.put("output.interval", case.get("case.end_time"))
     prepare.check_input(case)
     place.mkdir()
-    return prepare.prepare(case, place, 1, None)
+    ready = prepare.prepare(case, place, 1, None)
+    with (place / "fluid/system/controlDict").open("a") as control:  # interFoam wants them, unused or not
+        control.write("\nmaxCo 1;\nmaxAlphaCo 1;\nmaxDeltaT 1;\n")
+    return ready
 
 
 def _own(scene: Scene, ready: prepare.Prepared, steps: int) -> float:
