@@ -139,7 +139,7 @@ void LiggghtsEngine::set_up_scene() {
 
 void LiggghtsEngine::observe() {
   if (report_->wants_particles()) {
-    gather(seen_);
+    LiggghtsEngine::gather(seen_);  // the constructor observes too
   }
   quantities_ = report_->observe(seen_, report_->wants_overlap() ? max_overlap(*lmp_) : 0.0);
   if (!audit_) {

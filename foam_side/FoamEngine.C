@@ -225,7 +225,7 @@ void FoamEngine::deposit(Table::ConstColumn volume_m3) {
   self.flow->setTarget(self.target);
 }
 
-void FoamEngine::add_mass(Table::ConstColumn added_mass_kg) {
+void FoamEngine::add_mass(Table::ConstColumn const& added_mass_kg) {
   impl_->added_mass_kg = added_mass_kg.data();
 }
 

@@ -96,7 +96,7 @@ class FluidEngine : public Engine {
   /// Before exchange(), with virtual mass only: mass [kg] of fluid that each particle moves along.
   /// Spread likewise, it adds (mass) Du/Dt to the fluid's momentum equation and to given_impulse().
   /// For engines that offer acceleration.
-  virtual void add_mass(Table::ConstColumn /*added_mass_kg*/) {}
+  virtual void add_mass(Table::ConstColumn const& /*added_mass_kg*/) {}
   virtual void advance(Window const& window) = 0;
   /// Values at the particles by the exact transpose of deposit and smoothing, of the last advance;
   /// concurrently also asked for before the next. velocity, mean_velocity (time mean of each fluid
