@@ -2,7 +2,6 @@
 #include <stdexcept>
 
 #include "FieldSampler.H"
-#include "fvcCurl.H"
 
 namespace slidewave::foam {
 
@@ -10,10 +9,8 @@ using namespace Foam;
 
 namespace {
 
-/// Of the fluid's own motion: shared out by its mass.
-bool isWeighted(std::string const& field) {
-  return field == "velocity" || field == "mean_velocity" || field == "acceleration" ||
-         field == "vorticity";
+bool isVelocity(std::string const& field) {
+  return field == "velocity" || field == "mean_velocity";
 }
 
 std::optional<double> uniformValue(PorousFlow const& flow, std::string const& field) {
@@ -49,7 +46,7 @@ void FieldSampler::put(std::string const& field, int row, ParticleKernel::Fields
     forAll(values, cell) fields(row, cell) = values[cell];
   };
   auto const vectors = [&](vectorField const& values) {
-    bool const weighted = isWeighted(field);
+    bool const weighted = isVelocity(field);
     forAll(values, cell) {
       double const weight = weighted ? weight_[cell] : 1;
       for (direction d = 0; d < 3; ++d) fields(row + d, cell) = weight * values[cell][d];
@@ -69,12 +66,6 @@ void FieldSampler::put(std::string const& field, int row, ParticleKernel::Fields
     scalars(flow_.saturation()());
   } else if (field == "pressure_gradient") {
     vectors(flow_.meanPressureGradient());
-  } else if (field == "acceleration") {
-    vectors(flow_.meanAcceleration());
-  } else if (field == "vorticity") {
-    vectors(fvc::curl(flow_.U())());
-  } else if (field == "viscous_stress") {
-    vectors(flow_.meanViscousStress());
   } else if (field == "drag_reaction") {
     vectors(flow_.meanDragReaction());
   } else {
@@ -94,7 +85,7 @@ void FieldSampler::sample(std::vector<Sample> const& samples) {
       continue;
     }
     for (long d = 0; d < out.rows(); ++d) {
-      targets_.push_back({out.data() + d, out.rows(), isWeighted(sample.field)});
+      targets_.push_back({out.data() + d, out.rows(), isVelocity(sample.field)});
     }
   }
   int const count = static_cast<int>(targets_.size());

@@ -43,20 +43,18 @@ void OneFluid::solveStep() {
 }
 
 tmp<fvVectorMatrix> OneFluid::momentum() {
-  volScalarField const nu("nuEff", viscousShare() * nu_);
-  tmp<fvVectorMatrix> tUEqn(
-      (fvm::ddt(eps_, U_) + fvm::div(F_, U_, "div(phi,U)")) +
-      carried(-fvc::div(nu * dev2(T(fvc::grad(U_)))) - fvm::laplacian(nu, U_), 1 / rho_));
+  volScalarField const nu("nuEff", eps_ * nu_);
+  tmp<fvVectorMatrix> tUEqn((fvm::ddt(eps_, U_) + fvm::div(F_, U_, "div(phi,U)")) +
+                            (-fvc::div(nu * dev2(T(fvc::grad(U_)))) - fvm::laplacian(nu, U_)));
   fvVectorMatrix& UEqn = tUEqn.ref();
   addDrag(UEqn, 1 / rho_);
-  addInertia(UEqn, 1 / rho_, "div(phi,U)");
   UEqn.relax();
   if (pimple_.momentumPredictor()) {
     if (dragOnFaces()) {
       solve(UEqn ==
             eps_ * fvc::reconstruct((dragForce(1 / rho_) - fvc::snGrad(p_)) * mesh_.magSf()));
     } else {
-      solve(UEqn == -share() * fvc::grad(p_));
+      solve(UEqn == -eps_ * fvc::grad(p_));
     }
   }
   return tUEqn;
@@ -64,11 +62,9 @@ tmp<fvVectorMatrix> OneFluid::momentum() {
 
 void OneFluid::correctPressure(fvVectorMatrix& UEqn, surfaceScalarField const& inertia) {
   volScalarField const rAU(1 / UEqn.A());
-  surfaceScalarField const rAUf("rAUf", epsf_ * shareOnFaces() * fvc::interpolate(rAU));
+  surfaceScalarField const rAUf("rAUf", sqr(epsf_) * fvc::interpolate(rAU));
   volVectorField const HbyA(constrainHbyA(rAU * UEqn.H(), U_, p_));
-  surfaceScalarField F(
-      "phiHbyA",
-      fvc::flux(eps_ * HbyA) + fvc::interpolate(withAddedMass(eps_, 1 / rho_) * rAU) * inertia);
+  surfaceScalarField F("phiHbyA", fvc::flux(eps_ * HbyA) + fvc::interpolate(eps_ * rAU) * inertia);
   if (p_.needReference()) adjustPhi(F, U_, p_);
   tmp<surfaceScalarField> push;
   if (dragOnFaces()) {
@@ -90,7 +86,7 @@ void OneFluid::correctPressure(fvVectorMatrix& UEqn, surfaceScalarField const& i
   if (dragOnFaces()) {
     U_ = HbyA + rAU * eps_ * balance_;
   } else {
-    U_ = HbyA - rAU * share() * fvc::grad(p_);
+    U_ = HbyA - rAU * eps_ * fvc::grad(p_);
   }
   U_.correctBoundaryConditions();
 }

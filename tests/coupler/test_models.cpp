@@ -99,21 +99,27 @@ TEST(Models, EachForceAsksForItsOwn) {
   EXPECT_TRUE(wants("torque = \"rotational_drag\"\n", "fluid_spin"));
   EXPECT_FALSE(wants("torque = \"rotational_drag\"\n", "exchanged_force"));
   EXPECT_TRUE(wants("viscous_force = true\n", "viscous_stress"));
-  EXPECT_FALSE(wants("formulation = \"B\"\n", "pressure_gradient"));
 }
 
 TEST(Models, FormulationBTakesNoShareOfTheStress) {
-  std::string const start = "[coupling]\nsmoothing_length = 1.0\n";
+  std::string const start = "[coupling]\nreaction = \"one_way\"\n";
   std::string const b = "[models]\nformulation = \"B\"\n";
   Models const models = read(start + b);
   EXPECT_TRUE(models.archimedes() && models.force() && !models.pressure_gradient);
   EXPECT_EQ(models.drag_model.formulation, Formulation::B);
+  for (Need const& need : models.needs()) {
+    EXPECT_NE(need.field.name, "pressure_gradient");
+  }
   EXPECT_THROW(read(start + b + "pressure_gradient = true\n"), InputError);
   EXPECT_THROW(read(start + b + "viscous_force = true\n"), InputError);
-  std::string const stiff = start + "regime = \"stiff\"\n";
-  EXPECT_THROW(read(stiff + b), InputError);
+  EXPECT_THROW(read("[coupling]\nsmoothing_length = 1.0\n" + b), InputError);  // two-way
+}
+
+TEST(Models, StiffRegimeRefusesForcesThatItCannotForesee) {
+  std::string const stiff = "[coupling]\nsmoothing_length = 1.0\nregime = \"stiff\"\n";
   EXPECT_THROW(read(stiff + "[models]\nvirtual_mass = \"constant\"\n"), InputError);
   EXPECT_THROW(read(stiff + "[models]\nlift = \"saffman_mei\"\n"), InputError);
+  EXPECT_TRUE(read(stiff + "[models]\ntorque = \"rotational_drag\"\n").stiff);
 }
 
 TEST(Models, NoneIsNothing) {

@@ -64,7 +64,6 @@ int drive(std::filesystem::path const& directory) {
   foam::FoamEngine engine(scene, world.comm);
   bool const two_way = scene.text("coupling.reaction", "two_way") == "two_way";
   bool const stiff = two_way && scene.text("coupling.regime", "mild") == "stiff";
-  bool const shares_pressure = scene.text("models.formulation", "A") == "A";
   double const window_s = scene.number("coupling.window");
   long const windows = std::lround(scene.number("case.end_time") / window_s);
 
@@ -113,9 +112,7 @@ int drive(std::filesystem::path const& directory) {
       MatrixXd values = MatrixXd::Zero(field.components, here.cols());
       bool const kept = field.name == "drag_reaction"   ? stiff
                         : field.name == "mean_velocity" ? two_way
-                        : field.name == "pressure_gradient"
-                            ? shares_pressure
-                            : field.name != "acceleration" && field.name != "viscous_stress";
+                                                        : true;
       if (kept) {
         engine.sample(field.name, Table::Column(values.data(), values.rows(), values.cols()));
       }

@@ -25,7 +25,7 @@ class Order(Verification):
                                 uniform_flow__density=sphere.fluid_density,
                                 uniform_flow__viscosity=sphere.fluid_viscosity, parameters__room=0.1,
                                 coupling__window=window, parameters__dem_dt=5e-5, output__interval=end,
-                                check__speed=final, parameters__contact_stiffness=100)
+                                check__speed=final, parameters__contact_stiffness=50)
             expected = sphere.speed(run.history["time_s"][1:])
             errors.append(np.abs(-run.history["one_vz_m_s"][1:] - expected).max() / final)
         order = np.polyfit(np.log(windows), np.log(errors), 1)[0]
