@@ -5,6 +5,7 @@ import json
 import unittest
 
 from launch import case as cases
+from launch import ranks
 from launch.places import ROOT
 from tests.launch.scratch import command_line
 
@@ -55,7 +56,9 @@ BROKEN = {
 def check(case: str, variant: str, settings: list[str]) -> tuple[int, list[dict], str]:
     """Exit status, rows and messages of `check --json`."""
     words = [w for s in settings for w in ("--set", s)] + (["--variant", variant] if variant else [])
-    status, out, err = command_line("check", ROOT / case, "--json", "--ranks-fluid", "1", "--ranks-dem", "1", *words)
+    engine = cases.load(str(ROOT / case), variant or None, settings).get("dem.engine")
+    words += ["--ranks-fluid", "1", "--ranks-dem", str(ranks.FIXED_DEM_RANKS.get(engine, 1))]
+    status, out, err = command_line("check", ROOT / case, "--json", *words)
     return status, json.loads(out) if out else [], err
 
 
