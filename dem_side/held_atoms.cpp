@@ -2,6 +2,7 @@
 
 #include <cstring>
 
+#include "atom.h"
 #include "expose.h"
 #include "fix.h"
 #include "fix_setforce.h"
@@ -51,6 +52,23 @@ void HeldAtoms::find(LAMMPS_NS::LAMMPS& lmp) {
       }
     }
   }
+}
+
+std::string HeldAtoms::partly_held(LAMMPS_NS::LAMMPS& lmp) const {
+  unsigned axes = 0;
+  for (int i = 0; i < lmp.atom->nlocal; ++i) {
+    unsigned of_atom = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      of_atom |= held(lmp.atom->mask[i], axis) ? 1U << static_cast<unsigned>(axis) : 0U;
+    }
+    axes |= of_atom == 7U ? 0U : of_atom;
+  }
+  MPI_Allreduce(MPI_IN_PLACE, &axes, 1, MPI_UNSIGNED, MPI_BOR, lmp.world);
+  std::string letters;
+  for (unsigned axis = 0; axis < 3; ++axis) {
+    letters += axes & 1U << axis ? std::string(1, "xyz"[axis]) : "";
+  }
+  return letters;
 }
 
 }  // namespace slidewave::dem

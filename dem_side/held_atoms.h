@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 
 namespace LAMMPS_NS {
 class LAMMPS;
@@ -19,6 +20,8 @@ class HeldAtoms {
   bool held(int mask, int axis) const {
     return (mask & held_groups_[static_cast<unsigned>(axis)]) || !(mask & integrated_groups_);
   }
+  /// Axes (of "xyz") along which some atom is held that is free along another. Collective.
+  std::string partly_held(LAMMPS_NS::LAMMPS& lmp) const;
 
  private:
   std::array<int, 3> held_groups_{};

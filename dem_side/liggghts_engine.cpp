@@ -15,6 +15,7 @@
 #include "dump.h"
 #include "error_route.h"
 #include "fix_slidewave.h"
+#include "held_atoms.h"
 #include "input.h"
 #include "lammps.h"
 #include "modify.h"
@@ -167,6 +168,11 @@ void LiggghtsEngine::state_facts() {
     session_.state("gravity", as_text(*g));
   }
   session_.state("boundary", boundaries(*lmp_));
+  HeldAtoms atoms;
+  atoms.find(*lmp_);
+  if (std::string const axes = atoms.partly_held(*lmp_); !axes.empty()) {
+    session_.state("partly_held", axes);
+  }
   char text[32];
   std::snprintf(text, sizeof(text), "%.17g", end_s_);
   session_.state("end_time", text);

@@ -74,6 +74,19 @@ Vec3 solved_axes(std::string const& boundary) {
   return axes;
 }
 
+// The stiff regime foresees one response a grain, for all axes.
+void check_held(std::vector<Fact> const& dem, Vec3 const& in_plane) {
+  for (char const axis : value_of(dem, "partly_held")) {
+    if (in_plane[axis - 'x'] != 0) {
+      throw InputError("case.toml", "coupling.regime", "stiff",
+                       fmt::format("particles are held along {} and free along other axes (fix "
+                                   "setforce with NULL?), which the stiff regime cannot foresee: "
+                                   "hold them wholly or not at all, or take \"mild\"",
+                                   axis));
+    }
+  }
+}
+
 }  // namespace
 
 void check_needs(Models const& models, std::vector<Field> const& offers) {
@@ -153,6 +166,9 @@ Agreed handshake(Session::Impl& session, Hello const& mine) {
       agreed.saturation = agreed.saturation || field.name == "saturation";
     }
     agreed.in_plane = solved_axes(value_of(facts_of(fluid), "boundary"));
+    if (agreed.models.stiff) {
+      check_held(facts_of(dem), agreed.in_plane);
+    }
     agreed.fluid_boxes = boxes_of(fluid);
     add_features(fluid, agreed.features);
     add_features(dem, agreed.features);

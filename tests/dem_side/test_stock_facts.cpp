@@ -1,6 +1,7 @@
 // Facts of a small scene against brute force.
 #include <gtest/gtest.h>
 
+#include "held_atoms.h"
 #include "small_scene.h"
 #include "stock_facts.h"
 
@@ -30,6 +31,26 @@ TEST(Facts, AreThoseOfTheScript) {
   EXPECT_EQ(slidewave::dem::as_text(*slidewave::dem::gravity(scene.lmp())), "3 0 -4");
   scene.lines({"fix more all gravity v_up vector 0 0 1"});
   EXPECT_FALSE(slidewave::dem::gravity(scene.lmp()));
+}
+
+TEST(Facts, PartlyHeldAxesAreThoseOfAtomsFreeAlongAnother) {
+  SmallScene scene;
+  scene.box("f f f");
+  scene.sphere(2, 5, 5, 0.4);
+  scene.sphere(8, 5, 5, 0.4);
+  auto const axes = [&] {
+    slidewave::dem::HeldAtoms atoms;
+    atoms.find(scene.lmp());
+    return atoms.partly_held(scene.lmp());
+  };
+  EXPECT_EQ(axes(), "");  // integrated by nobody: held wholly
+  scene.lines({"fix integrate all nve/sphere"});
+  EXPECT_EQ(axes(), "");
+  scene.lines({"region right block 6 10 0 10 0 10 units box", "group right region right",
+               "fix slab right setforce 0 NULL 0"});
+  EXPECT_EQ(axes(), "xz");
+  scene.lines({"fix frozen right setforce 0 0 0"});
+  EXPECT_EQ(axes(), "");
 }
 
 TEST(Facts, PositionsWrapIntoThePeriodicBox) {

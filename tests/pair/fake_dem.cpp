@@ -99,6 +99,7 @@ int main(int, char** arguments) {
     FakeDem engine(s);
     s.state("gravity", "0 0 -9.81");
     s.state("boundary", "pbb");
+    if (fault(s, "partly_held")) s.state("partly_held", "z");
     return run(s, engine);
   });
 }

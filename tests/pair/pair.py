@@ -172,6 +172,8 @@ def stiff(options):
         found = Run(options, "stiff_" + fault, fault=fault, regime="stiff",
                     viscosity=10.0).must_pass().summary()["budgets"]
         assert found["momentum_defect"] > 1e-6, (fault, found)
+    Run(options, "stiff_held", fault="partly_held", regime="stiff").must_fail(2, "coupling.regime", "held along z")
+    Run(options, "mild_held", fault="partly_held").must_pass()
 
 
 def concurrent(options):
