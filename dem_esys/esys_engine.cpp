@@ -105,8 +105,9 @@ void EsysEngine::advance(Window const& window) {
     return;
   }
   report_->picture(seen_, window.index - 1, window.t0_s);  // the initial state, if not there yet
+  long const steps = steps_in(window.length_s(), wanted_dt_s_);
+  steps_ += steps;
   if (master_) {
-    long const steps = steps_in(window.length_s(), wanted_dt_s_);
     master_->run(steps, window.length_s() / static_cast<double>(steps));
     let_workers_leave();
   } else {
@@ -119,8 +120,8 @@ void EsysEngine::advance(Window const& window) {
 
 void EsysEngine::look() {
   gather(seen_);
-  bool const overlaps = worker_ && report_->wants_overlap();
-  quantities_ = report_->observe(seen_, overlaps ? worker_->max_overlap() : 0.0);
+  bool const wanted = report_->wants_overlap(steps_);
+  quantities_ = report_->observe(seen_, worker_ && wanted ? worker_->max_overlap() : 0.0);
 }
 
 void EsysEngine::check_numbers() const {

@@ -36,6 +36,7 @@ class EsysEngine : public ParticleEngine {
   std::unique_ptr<ParticleReport> report_;
   Table seen_;
   std::vector<Quantity> quantities_;
+  long steps_ = 0;  // taken so far
   double wanted_dt_s_ = 0;
 };
 

@@ -233,7 +233,8 @@ void LammpsEngine::look() {
   if (report_->wants_particles()) {
     gather(seen_);
   }
-  bool const listed = running_ && report_->wants_overlap();  // no neighbour list before a run
+  bool const wanted = report_->wants_overlap(lmp_->update->ntimestep);
+  bool const listed = running_ && wanted;  // no neighbour list before a run
   quantities_ = report_->observe(seen_, listed ? max_overlap(*lmp_) : 0.0);
 }
 

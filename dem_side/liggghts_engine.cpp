@@ -142,7 +142,8 @@ void LiggghtsEngine::observe() {
   if (report_->wants_particles()) {
     LiggghtsEngine::gather(seen_);  // the constructor observes too
   }
-  quantities_ = report_->observe(seen_, report_->wants_overlap() ? max_overlap(*lmp_) : 0.0);
+  bool const wanted = report_->wants_overlap(lmp_->update->ntimestep);
+  quantities_ = report_->observe(seen_, wanted ? max_overlap(*lmp_) : 0.0);
   if (!audit_) {
     return;
   }

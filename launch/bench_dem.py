@@ -7,17 +7,20 @@ from __future__ import annotations
 
 import argparse
 import os
+import re
+import shlex
 import shutil
 import statistics
 import subprocess
 import tempfile
+import time
 from pathlib import Path
 
 import numpy as np
 
 from launch import bench_scenes as scenes
 from launch import case as cases
-from launch import places, prepare
+from launch import places, prepare, ranks
 from launch.errors import RunError
 from launch.progress import say
 
@@ -38,8 +41,27 @@ def measure(options: argparse.Namespace) -> dict[str, object]:
         numbers: dict[str, object] = {"spheres": count}
         numbers["max_position_difference"] = _difference(place)
         numbers |= _speeds(place, "bed", count, BED_STEPS, options.repeats)
+        numbers |= _two_ranks(place, options.repeats)
         numbers |= _slide(place, options.repeats)
     return numbers
+
+
+def _two_ranks(place: Path, repeats: int, steps: int = BED_STEPS) -> dict[str, float]:
+    """How much faster two ranks go through the bed than one, our law. Wall time of the loop: it means
+    something where two cores are free; `two_rank_cores` are the cores that the two ranks got."""
+    speedups, cores = [], []
+    for number in range(repeats):
+        loop_s = {}
+        for count in (1, 2):
+            command = [*ranks.mpirun_alone(), "-np", str(count), *_words("bed.in", {"law": "own", "steps": steps})]
+            before, start = os.times(), time.monotonic()
+            text = _finished(command, place)
+            wall_s, after = time.monotonic() - start, os.times()
+            loop_s[count] = float(re.findall(r"Loop time of (\S+) on", text)[-1])
+        cores.append((after.children_user - before.children_user) / wall_s)
+        speedups.append(loop_s[1] / loop_s[2])
+        say(f"bed on two ranks, pair {number + 1}: {speedups[-1]:.2f} times one ({cores[-1]:.2f} cores)")
+    return {"ratio_two_ranks": statistics.median(speedups), "two_rank_cores": statistics.median(cores)}
 
 
 def _slide(place: Path, repeats: int) -> dict[str, float]:
@@ -110,14 +132,22 @@ def _prepare_slide(place: Path, name: str, settings: list[str]) -> int:
     return ready.facts.particles
 
 
+def _words(script: str, variables: dict[str, object]) -> list[str]:
+    words = [str(places.program("slidewave_dem")), "--script", script, "-log", "none"]
+    return words + [word for name, value in variables.items() for word in ("-var", name, str(value))]
+
+
+def _finished(command: list[str], place: Path) -> str:
+    """What a command that must succeed says."""
+    done = subprocess.run(command, cwd=place, capture_output=True, text=True, check=False, timeout=1800)
+    if done.returncode:
+        raise RunError(f"{shlex.join(command)} failed:\n{done.stdout[-1500:]}{done.stderr[-500:]}")
+    return done.stdout
+
+
 def _run(place: Path, script: str, variables: dict[str, object]) -> float:
     """Runs a script on one rank; processor seconds."""
-    command = [str(places.program("slidewave_dem")), "--script", script, "-log", "none"]
-    for name, value in variables.items():
-        command += ["-var", name, str(value)]
     before = os.times()
-    done = subprocess.run(command, cwd=place, capture_output=True, text=True, check=False, timeout=1800)
+    _finished(_words(script, variables), place)
     after = os.times()
-    if done.returncode:
-        raise RunError(f"{script} failed:\n{done.stdout[-1500:]}{done.stderr[-500:]}")
     return after.children_user + after.children_system - before.children_user - before.children_system

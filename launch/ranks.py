@@ -38,12 +38,16 @@ def sides(directory: Path, fluid: int, dem: int, fluid_engine: str,
     return [(ranks, [str(program(name)), str(directory)]) for ranks, name in programs if ranks]
 
 
+def mpirun_alone() -> list[str]:
+    """mpirun with the options that every run takes, before its programs."""
+    words = ["mpirun", "--bind-to", "none", "--mca", "mpi_yield_when_idle", "1", "--oversubscribe"]
+    return [*words, "--allow-run-as-root"] if os.geteuid() == 0 else words
+
+
 def mpirun_words(directory: Path, fluid: int, dem: int, fluid_engine: str,
                  dem_engine: str = "liggghts") -> list[str]:
     """The plain mpirun line: `fluid` ranks of the fluid program and `dem` ranks of the particles'."""
-    words = ["mpirun", "--bind-to", "none", "--mca", "mpi_yield_when_idle", "1", "--oversubscribe"]
-    if os.geteuid() == 0:
-        words.append("--allow-run-as-root")
+    words = mpirun_alone()
     for number, (ranks, command) in enumerate(sides(directory, fluid, dem, fluid_engine, dem_engine)):
         words += ([":"] if number else []) + ["-np", str(ranks), *command]
     return words

@@ -81,6 +81,8 @@ KEYS: dict[str, Key] = {
     "dem.engine": Key("text", "particle side; none: fluid alone, no particle program is started; "
                       "lammps, esys (ESyS-Particle): optional", choices=("liggghts", "none", "lammps", "esys")),
     "dem.energy_audit": Key("flag", "energy columns of runs with model linear; default true"),
+    "dem.overlap_limit": Key("number", "largest overlap of two particles over the smaller diameter, above which "
+                             "the run ends; default 0.3", above=0),
     "dem.script": Key("text", "script that sets the particles up, in the language of dem.engine"),
     "check.speed": Key("number", "fastest particle or fluid expected, for the pre-flight check", "m/s",
                        above=0),

@@ -1,14 +1,19 @@
 #include "slidewave/particle_report.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
 
 #include "particle_pictures.hpp"
+#include "slidewave/physics/limits/overlap.hpp"
 
 namespace slidewave {
 namespace {
+
+constexpr long steps_between_looks = 10;
 
 void sum_over_ranks(double* values, int count, MPI_Comm comm) {
   MPI_Allreduce(MPI_IN_PLACE, values, count, MPI_DOUBLE, MPI_SUM, comm);
@@ -16,7 +21,9 @@ void sum_over_ranks(double* values, int count, MPI_Comm comm) {
 
 }  // namespace
 
-ParticleReport::ParticleReport(Session const& session) : session_(session) {
+ParticleReport::ParticleReport(Session const& session)
+    : session_(session),
+      overlap_limit_(session.scene().number("dem.overlap_limit", limits::unbearable_overlap)) {
   Scene const& scene = session.scene();
   if (scene.number("output.interval", 0.0) > 0) {
     pictures_ = std::make_unique<Pictures>(session);
@@ -50,8 +57,38 @@ bool ParticleReport::wants_particles() const {
   return slide_ || !followed_.empty() || pictures_;
 }
 
+bool ParticleReport::wants_overlap(long steps) {
+  overlap_wanted_ = slide_ || steps >= next_look_;
+  if (overlap_wanted_) {
+    next_look_ = steps + steps_between_looks;
+  }
+  return overlap_wanted_;
+}
+
+void ParticleReport::watch(double overlap) {
+  if (overlap > overlap_limit_) {
+    session_.fail(
+        fmt::format("particles overlap by {:.3g} % of the smaller diameter, above "
+                    "dem.overlap_limit = {:g}: contacts are too soft for the load or the "
+                    "impact (parameters.kn), or parameters.dem_dt is too long for them",
+                    100 * overlap, overlap_limit_));
+  }
+  if (overlap > limits::largest_overlap && !overlap_told_) {
+    overlap_told_ = true;
+    session_.say(
+        fmt::format("warning: particles overlap by {:.3g} % of the smaller diameter; "
+                    "stiffer contacts (parameters.kn) keep them spheres",
+                    100 * overlap));
+  }
+}
+
 std::vector<Quantity> ParticleReport::observe(Table const& particles, double max_overlap) {
   std::vector<Quantity> values;
+  if (slide_ || overlap_wanted_) {
+    MPI_Allreduce(MPI_IN_PLACE, &max_overlap, 1, MPI_DOUBLE, MPI_MAX, session_.comm());
+    watch(max_overlap);
+    overlap_wanted_ = false;
+  }
   if (slide_) {
     observe_slide(particles, max_overlap, values);
   }
@@ -96,7 +133,6 @@ void ParticleReport::observe_slide(Table const& particles, double max_overlap,
     sums[3] += 1;
   }
   sum_over_ranks(sums.data(), 4, session_.comm());
-  MPI_Allreduce(MPI_IN_PLACE, &max_overlap, 1, MPI_DOUBLE, MPI_MAX, session_.comm());
   out.push_back({"slide_speed_m_s", sums[0] > 0 ? sums[1] / sums[0] : 0.0});
   out.push_back({"slide_front_x_m", mass_front_x(particles, 0.99, session_.comm())});
   out.push_back({"kinetic_energy_J", sums[2]});

@@ -8,6 +8,7 @@
 
 #include "pair_style.h"
 #include "slidewave/physics/limits/contact_step.hpp"
+#include "slidewave/physics/limits/overlap.hpp"
 #include "small_scene.h"
 
 namespace {
@@ -156,6 +157,39 @@ TEST(Extremes, CornerOfThreeWallsGivesBackTheSpeed) {
   for (int axis = 0; axis < 3; ++axis) {
     EXPECT_NEAR(scene.v(1, axis), axis + 1, 1e-3) << axis;
   }
+}
+
+// Fifty spheres of 10 m on top of each other, stiff enough for 5 % at the foot as `check` proposes,
+// brought to rest by drag: each contact carries the weight above it. What is left of the slowest
+// mode, critically damped over 20/omega, is 21 exp(-20) of its 12 m: below the tolerance.
+TEST(Extremes, ColumnOfFiveHundredMetresCarriesItsWeight) {
+  int const count = 50;
+  double const diameter_m = 10, g_m_s2 = 9.81, density = 2650, bulk = pi / 6 * density;
+  double const kn = slidewave::limits::stiffness_for_static(
+      slidewave::limits::static_overlap(count * diameter_m, bulk, g_m_s2, diameter_m, 1), 0.05, 1);
+  SmallScene scene;
+  scene.lines({"units si", "atom_style granular", "atom_modify map array sort 0 0",
+               "boundary f f f", "newton off", "communicate single vel yes", "processors 1 1 *",
+               "region box block 0 20 0 20 0 510 units box", "create_box 1 box", "neighbor 0.5 bin",
+               "neigh_modify delay 0"});
+  scene.law("model linear kn " + text(kn));
+  scene.wall("floor", "model linear kn " + text(kn), "primitive type 1 zplane 0");
+  for (int k = 0; k < count; ++k) {
+    scene.sphere(10, 10, 10 * k + 5, diameter_m);
+  }
+  double const mass = scene.mass(1), slowest = pi / (2 * count + 1) * std::sqrt(kn / mass);
+  double const dt_s = 0.1 * std::sqrt(mass / kn);
+  scene.lines({"fix integrate all nve/sphere", "fix weight all gravity 9.81 vector 0 0 -1",
+               "fix drag all viscous " + text(2 * mass * slowest), "timestep " + text(dt_s),
+               "run " + std::to_string(std::lround(20 / slowest / dt_s))});
+  double z = 0;
+  for (int k = 0; k < count; ++k) {
+    double const overlap_m = (count - k) * mass * g_m_s2 / kn;
+    z += (k == 0 ? diameter_m / 2 : diameter_m) - overlap_m;
+    EXPECT_NEAR(scene.x(k + 1, 2), z, 1e-6 * diameter_m) << k;
+    EXPECT_EQ(scene.x(k + 1, 0), 10);
+  }
+  EXPECT_NEAR(mass * g_m_s2 * count / kn / diameter_m, 0.05, 1e-12);
 }
 
 TEST(Extremes, NoParticleAtAll) {

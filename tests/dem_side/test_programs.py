@@ -138,6 +138,29 @@ class DryRun(Folder):
         self.assertTrue((self.dir / "summary.json").exists())
 
 
+class Overlap(Folder):
+    """Watched whether or not it is a column of history.csv."""
+
+    def run_soft(self, kn, limit=None, observed=True):
+        case = CASE.replace("end_time = 0.3", "end_time = 0.8")
+        case = case if observed else case[:case.index("[observe.slide]")]
+        case = case if limit is None else case.replace("[dem]", f"[dem]\noverlap_limit = {limit}")
+        self.write(case, SETUP.replace("peratomtypepair 1 1e7", f"peratomtypepair 1 {kn}"))
+        return mpirun(2, PROGRAM, self.dir)
+
+    def test_warned_then_refused(self):
+        self.assertNotIn("overlap", self.run_soft("1e7").stdout)
+        for observed in (True, False):
+            with self.subTest(observed=observed):
+                done = self.run_soft("1e6", observed=observed)
+                self.assertEqual((done.returncode, done.stdout.count("warning: particles overlap")), (0, 1), done.stderr)
+                done = self.run_soft("1e6", 0.12, observed)
+                self.assertEqual(done.returncode, 1, done.stderr)
+                for word in ("dem.overlap_limit = 0.12", "parameters.kn", "% of the smaller diameter"):
+                    self.assertIn(word, done.stderr)
+        self.assertIn("dem.overlap_limit = 0.3", self.run_soft("4e5").stderr)
+
+
 OWN_LAW = SETUP.replace("pair_style gran model hooke/stiffness tangential history",
                         "pair_style gran model linear tangential coulomb kn 1e7 ks 8e6 mu ${friction}")
 

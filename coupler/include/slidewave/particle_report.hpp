@@ -5,6 +5,7 @@
 //       slide_front_x_m (99 % of the mass lies at smaller x), kinetic_energy_J (translation and
 //       rotation), max_overlap (pairs, over the smaller diameter), particles
 //   [observe.NAME]   type = "particle"  id = 1   NAME_x_m ... NAME_vz_m_s of one particle
+//   [dem]  overlap_limit                 the run ends above it (default 0.3), warned from 0.1 on
 //   [output]  interval, layers           DIR/dem/particles_<window>.vtk, particles.vtk.series
 #pragma once
 
@@ -26,11 +27,13 @@ class ParticleReport {
   static void add_columns(Table& particles);
   /// False where the case asks for nothing: the table need not be filled.
   bool wants_particles() const;
-  /// Whether observe() uses its largest overlap.
-  bool wants_overlap() const { return slide_; }
+  /// Whether the next observe() uses its largest overlap: always where it is a column, else ten
+  /// particle steps after the last time. `steps`: taken so far, the same on all ranks.
+  bool wants_overlap(long steps);
 
   /// Columns of history.csv now. `max_overlap`: of this rank's pairs, over the smaller diameter.
-  /// Throws InputError, the first time, for a particle that does not exist.
+  /// Throws InputError, the first time, for a particle that does not exist; ends the run above
+  /// the limit of overlaps.
   std::vector<Quantity> observe(Table const& particles, double max_overlap);
   /// Writes a picture where output.interval says that one is due at `time_s`.
   void picture(Table const& particles, long window, double time_s);
@@ -43,10 +46,15 @@ class ParticleReport {
     double id = 0;
   };
   void observe_slide(Table const& particles, double max_overlap, std::vector<Quantity>& out) const;
+  void watch(double overlap);
 
   Session const& session_;
   bool slide_ = false;
   bool checked_ = false;
+  double overlap_limit_;
+  bool overlap_told_ = false;
+  bool overlap_wanted_ = false;
+  long next_look_ = 0;  // particle steps
   std::vector<Particle> followed_;
   class Pictures;
   std::unique_ptr<Pictures> pictures_;  // none without output.interval

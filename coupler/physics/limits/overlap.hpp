@@ -9,6 +9,8 @@ namespace slidewave::limits {
 /// is too soft; 3 to 6 % made no difference).
 constexpr double largest_overlap = 0.1;
 constexpr double comfortable_overlap = 0.05;
+/// Where a run ends unless dem.overlap_limit says otherwise: spheres lie a third inside each other.
+constexpr double unbearable_overlap = 0.3;
 
 /// At the foot of a column: stress/(kn/D) with stress = bulk density g h (PHYSICS.md 1.6).
 inline double static_overlap(double height_m, double bulk_density_kg_m3, double gravity_m_s2,
