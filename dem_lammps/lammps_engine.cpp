@@ -100,6 +100,7 @@ void LammpsEngine::state_facts() {
     session_.state("gravity", as_text((*g)[0]) + " " + as_text((*g)[1]) + " " + as_text((*g)[2]));
   }
   session_.state("boundary", boundaries(*lmp_));
+  session_.state("particle_types", std::to_string(lmp_->atom->ntypes));
   session_.state("end_time", as_text(session_.scene().number("case.end_time")));
 }
 
@@ -124,6 +125,7 @@ void LammpsEngine::gather(Table& particles) {
       }
     }
   };
+  fill("type", [&](int i, auto out) { out[0] = atom.type[i]; });
   fill("id", [&](int i, auto out) { out[0] = atom.tag[i]; });
   fill("position", [&](int i, auto out) { out = wrapped(*lmp_, atom.x[i]); });
   fill("velocity", [&](int i, auto out) { out = Vec3(atom.v[i]); });

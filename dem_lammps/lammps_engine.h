@@ -26,6 +26,7 @@ class LammpsEngine : public ParticleEngine {
 
   Box bounds() const override;
   std::vector<Quantity> quantities() const override { return quantities_; }
+  std::vector<std::string> extras() const override { return {"type"}; }
   std::vector<Feature> features() const override;
   void gather(Table& particles) override;
   void apply(Table const& answers) override;

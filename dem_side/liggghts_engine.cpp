@@ -169,6 +169,7 @@ void LiggghtsEngine::state_facts() {
     session_.state("gravity", as_text(*g));
   }
   session_.state("boundary", boundaries(*lmp_));
+  session_.state("particle_types", std::to_string(lmp_->atom->ntypes));
   HeldAtoms atoms;
   atoms.find(*lmp_);
   if (std::string const axes = atoms.partly_held(*lmp_); !axes.empty()) {
@@ -215,6 +216,7 @@ void LiggghtsEngine::gather(Table& particles) {
   fill("position", [&](int i, auto out) { out = wrapped(*lmp_, atom.x[i]); });
   fill("velocity", [&](int i, auto out) { out = Vec3(atom.v[i]); });
   fill("angular_velocity", [&](int i, auto out) { out = Vec3(atom.omega[i]); });
+  fill("type", [&](int i, auto out) { out[0] = atom.type[i]; });
   fill("radius", [&](int i, auto out) { out[0] = atom.radius[i]; });
   fill("mass", [&](int i, auto out) { out[0] = atom.rmass[i]; });
   for (char const* name : {"impulse", "memory"}) {

@@ -30,7 +30,9 @@ class LiggghtsEngine : public ParticleEngine {
   std::vector<Quantity> quantities() const override { return quantities_; }
   std::vector<Feature> features() const override;
   void gather(Table& particles) override;
-  std::vector<std::string> extras() const override { return {"travel", "other_force", "stiffest"}; }
+  std::vector<std::string> extras() const override {
+    return {"travel", "other_force", "stiffest", "type"};
+  }
   std::vector<std::string> takes() const override {
     return {"added_mass", "exchanged_force", "rotational_drag", "fluid_spin"};
   }

@@ -48,7 +48,8 @@ def collect(case: Case, ready: Prepared) -> dict[str, object]:
 def _particles(case: Case, known: Facts) -> dict[str, object]:
     dem = known.dem
     numbers = {"particles": known.particles, "dem_dt_s": case.get("parameters.dem_dt"),
-               "coarse_grain": case.get("parameters.coarse_grain"),
+               "coarse_grain": max(case.get("models.coarse_grain_by_type")  # the finest grains answer fastest
+                                   or [case.get("parameters.coarse_grain") or 1]),
                "stiffness_N_m": dem.stiffness_N_m,
                "tangential_stiffness_N_m": dem.tangential_stiffness_N_m,
                "contact_law": "own" if dem.own_law else "packaged",

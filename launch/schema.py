@@ -7,14 +7,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from launch.errors import did_you_mean
 
 
 @dataclass(frozen=True)
 class Key:
-    """One key: kind is number, whole, text, flag, vector (3 numbers) or scalar (number or text)."""
+    """One key: kind is number, whole, text, flag, vector (3 numbers), numbers (a list) or scalar (number or
+    text)."""
 
     kind: str
     meaning: str
@@ -66,6 +67,8 @@ KEYS: dict[str, Key] = {
     "models.contact_scaling": Key("text", "how contact constants follow coarse_grain; none: as given; "
                                   "proportional: K ~ D; sakai: forces of all grains (docs/contact.md)",
                                   choices=("none", "proportional", "sakai")),
+    "models.coarse_grain_by_type": Key("numbers", "D/d of each particle type, instead of parameters.coarse_grain", "-",
+                                       least=1),
     "physics.gravity": Key("vector", "acceleration of gravity", "m/s2", required=True),
     "fluid.engine": Key("text", "fluid side; none: a dry scene, no fluid program is started; "
                         "uniform_flow: prescribed by [uniform_flow], one-way only",
@@ -179,6 +182,11 @@ def fault(key: Key, value: object) -> str | None:
             for v in value)
         if not good:
             return f"give three numbers{unit}, e.g. [0, 0, -9.81]"
+    elif key.kind == "numbers":
+        if not isinstance(value, list) or not value:
+            return "give a list of numbers, e.g. [1, 2]"
+        one = replace(key, kind="number")
+        return next((f"{remedy}, in each place" for remedy in (fault(one, v) for v in value) if remedy), None)
     elif key.kind == "scalar":
         if isinstance(value, (bool, list, dict)):
             return "give a number or a text"

@@ -19,10 +19,12 @@ void evaluate_drag(Models const& models, Table& particles) {
   Table const& read = particles;
   Eigen::MatrixXd const none;
   auto const run = [&](Rows const& void_fraction) {
-    drag_coefficients(models.drag_model,
-                      {models.coarse_grain, read["radius"], read["velocity"],
-                       read["fluid_velocity"], read["density"], read["viscosity"], void_fraction},
-                      particles["drag"]);
+    drag_coefficients(
+        models.drag_model,
+        {models.coarse_grain, read["radius"], read["velocity"], read["fluid_velocity"],
+         read["density"], read["viscosity"], void_fraction,
+         models.by_type() ? read["type"].data() : nullptr, models.coarse_grain_by_type.data()},
+        particles["drag"]);
   };
   if (models.porosity()) {
     run(read["void_fraction"]);
@@ -75,9 +77,9 @@ void evaluate_lift(Models const& models, Table& particles) {
   auto const radius = read["radius"], density = read["density"], viscosity = read["viscosity"];
   auto const fluid = read["fluid_velocity"], velocity = read["velocity"],
              vorticity = read["vorticity"];
-  double const grains = grains_per_particle(models.coarse_grain);
   for (long i = 0; i < particles.size(); ++i) {
-    double const diameter = grain_diameter(2 * radius(0, i), models.coarse_grain);
+    double const alpha = models.alpha(read, i), grains = grains_per_particle(alpha);
+    double const diameter = grain_diameter(2 * radius(0, i), alpha);
     lift.col(i) = grains * saffman_mei_lift(diameter, density(0, i), viscosity(0, i),
                                             fluid.col(i) - velocity.col(i), vorticity.col(i));
   }
@@ -101,9 +103,9 @@ void evaluate_torque(Models const& models, Table& particles) {
   Table const& read = particles;
   auto drag = particles["rotational_drag"];
   auto const radius = read["radius"], viscosity = read["viscosity"];
-  double const grains = grains_per_particle(models.coarse_grain);
   for (long i = 0; i < particles.size(); ++i) {
-    double const diameter = grain_diameter(2 * radius(0, i), models.coarse_grain);
+    double const alpha = models.alpha(read, i), grains = grains_per_particle(alpha);
+    double const diameter = grain_diameter(2 * radius(0, i), alpha);
     drag(0, i) = grains * rotational_drag(diameter, viscosity(0, i));
   }
   particles["fluid_spin"] = 0.5 * read["vorticity"];

@@ -87,6 +87,17 @@ void check_held(std::vector<Fact> const& dem, Vec3 const& in_plane) {
   }
 }
 
+// Every particle finds its alpha in the list.
+void check_types(std::vector<Fact> const& dem, Models const& models) {
+  std::string const types = value_of(dem, "particle_types");
+  if (models.by_type() && types != std::to_string(models.coarse_grain_by_type.size())) {
+    throw InputError("case.toml", "models.coarse_grain_by_type",
+                     fmt::format("{} numbers", models.coarse_grain_by_type.size()),
+                     fmt::format("the particle script has {} types: give a number each",
+                                 types.empty() ? "no" : types));
+  }
+}
+
 }  // namespace
 
 void check_needs(Models const& models, std::vector<Field> const& offers) {
@@ -169,6 +180,7 @@ Agreed handshake(Session::Impl& session, Hello const& mine) {
     if (agreed.models.stiff) {
       check_held(facts_of(dem), agreed.in_plane);
     }
+    check_types(facts_of(dem), agreed.models);
     agreed.fluid_boxes = boxes_of(fluid);
     add_features(fluid, agreed.features);
     add_features(dem, agreed.features);

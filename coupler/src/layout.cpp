@@ -33,6 +33,9 @@ Layout Layout::of(Models const& models) {
   if (models.drag || models.lift) {
     layout.to_fluid.push_back({"velocity", "m/s", 3});
   }
+  if (models.by_type()) {
+    layout.to_fluid.push_back({"type", "-", 1});
+  }
   if (models.drag) {
     layout.to_dem.push_back({"drag", "kg/s", 1});
     layout.to_dem.push_back({"fluid_velocity", "m/s", 3});

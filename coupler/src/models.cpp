@@ -107,6 +107,18 @@ Models Models::from(Scene const& scene) {
                                        : Outside::ignore;
   models.coarse_grain =
       positive(scene, "parameters.coarse_grain", scene.number("parameters.coarse_grain", 1.0));
+  if (scene.has("models.coarse_grain_by_type")) {
+    models.coarse_grain_by_type = scene.numbers("models.coarse_grain_by_type");
+    for (double const alpha : models.coarse_grain_by_type) {
+      positive(scene, "models.coarse_grain_by_type", alpha);
+    }
+    refuse_if(models.coarse_grain != 1, scene, "parameters.coarse_grain",
+              fmt::format("{:g}", models.coarse_grain),
+              "leave it at 1 beside models.coarse_grain_by_type");
+    std::string const scaling = scene.text("models.contact_scaling", "none");
+    refuse_if(scaling != "none", scene, "models.contact_scaling", scaling,
+              "goes with one alpha for all: a contact of two types has no alpha of its own");
+  }
   if (models.two_way) {
     models.smoothing_length_m =
         positive(scene, "coupling.smoothing_length", scene.number("coupling.smoothing_length"));
@@ -156,12 +168,16 @@ std::vector<Need> Models::needs() const {
 }
 
 std::vector<Need> Models::particle_needs() const {
-  if (!stiff) {
-    return {};
+  std::vector<Need> needs;
+  if (stiff) {
+    needs = {{{"travel", "m", 3}, "stiff regime", "coupling.regime"},
+             {{"other_force", "N", 3}, "stiff regime", "coupling.regime"},
+             {{"stiffest", "N/m", 1}, "stiff regime", "coupling.regime"}};
   }
-  return {{{"travel", "m", 3}, "stiff regime", "coupling.regime"},
-          {{"other_force", "N", 3}, "stiff regime", "coupling.regime"},
-          {{"stiffest", "N/m", 1}, "stiff regime", "coupling.regime"}};
+  if (by_type()) {
+    needs.push_back({{"type", "-", 1}, "coarse graining by type", "models.coarse_grain_by_type"});
+  }
+  return needs;
 }
 
 std::vector<Need> Models::answer_needs() const {
@@ -212,8 +228,10 @@ std::vector<Feature> Models::features() const {
        stiff      ? "grains foreseen as oscillators, drag taken out of the pressure"
        : ledger() ? "coupling.regime is mild"
                   : "no reaction: the kick is exact"},
-      {"coarse graining", coarse_grain != 1,
-       coarse_grain != 1 ? fmt::format("alpha = {}", coarse_grain) : "a particle is a grain"},
+      {"coarse graining", coarse_grain != 1 || by_type(),
+       by_type() ? fmt::format("alpha = {} by type", fmt::join(coarse_grain_by_type, ", "))
+       : coarse_grain != 1 ? fmt::format("alpha = {}", coarse_grain)
+                           : "a particle is a grain"},
       {"angular velocity", torque,
        torque ? "turned by the fluid, rotational drag" : "models.torque = \"none\""},
   };

@@ -132,6 +132,20 @@ Vec3 Scene::vector(std::string const& key) const {
   return impl_->require(key, value, "three finite numbers, e.g. [0.0, 0.0, -9.81]");
 }
 
+std::vector<double> Scene::numbers(std::string const& key) const {
+  toml::node const* node = impl_->find(key);
+  std::vector<double> read;
+  bool good = node && node->is_array();
+  if (good) {
+    for (toml::node const& entry : *node->as_array()) {
+      read.push_back(entry.is_number() ? entry.value<double>().value_or(NAN) : NAN);
+      good = good && std::isfinite(read.back());
+    }
+  }
+  return impl_->require(key, good && !read.empty() ? std::optional(read) : std::nullopt,
+                        "a list of finite numbers, e.g. [1.0, 2.0]");
+}
+
 bool Scene::has(std::string const& key) const {
   return impl_->find(key) != nullptr;
 }

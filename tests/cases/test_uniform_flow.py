@@ -55,6 +55,28 @@ class UniformFlow(ScratchCase):
         self.follows("oscillating", np.array([history[f"sphere_v{a}_m_s"] for a in "xyz"]),
                      self.velocities(times, omega))
 
+    def test_alpha_by_type(self) -> None:
+        """Two spheres of two types, apart, each as in a run of its own with its type's alpha; 1e-12: the same
+        operations. A list that is not the script's types is refused."""
+        alone = [self.run_uniform(f"--set=parameters.coarse_grain={alpha}", "--overwrite")["sphere_vz_m_s"]
+                 for alpha in (1, 2)]
+        self.assertGreater(abs(alone[0][-1] / alone[1][-1]), 2, "alpha makes no difference here")
+        for name in ("kn", "kt"):
+            self.change("dem/in.setup", f"{name} peratomtypepair 1 ", f"{name} peratomtypepair 2" + " ${contact_stiffness}" * 3 + " ")
+        for name, value in (("gamman", 0), ("gammat", 0), ("coefficientFriction", 0.5)):
+            self.change("dem/in.setup", f"{name} peratomtypepair 1", f"{name} peratomtypepair 2" + f" {value}" * 3)
+        self.change("dem/in.setup", "create_box      1", "create_box      2")
+        self.change("dem/in.setup", "set             group", "create_atoms    2 single 0.01 0.01 ${start_height} units box\n"
+                    "set             group")
+        self.change("case.toml", "[observe.sphere]", '[observe.second]\ntype = "particle"\nid = 2\n\n[observe.sphere]')
+        both = self.run_uniform("--set=models.coarse_grain_by_type=[1, 2]", "--overwrite")
+        for name, expected in zip(("sphere", "second"), alone):
+            np.testing.assert_allclose(both[f"{name}_vz_m_s"], expected, rtol=1e-12, atol=0)
+        status, _, _ = self.slidewave("run", self.case, "--variant", "uniform", "--out", self.place / "run", "--overwrite",
+                                        "--set=models.coarse_grain_by_type=[1, 2, 3]")
+        self.assertEqual(status, 2)
+        self.assertIn("the particle script has 2 types", (self.place / "run/failure.txt").read_text())
+
     def velocities(self, times: np.ndarray, omega: float) -> np.ndarray:
         gravity = np.array([0, 0, -SPHERE.gravity])
 

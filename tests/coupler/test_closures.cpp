@@ -63,6 +63,20 @@ TEST(Closures, ClumpIsManyGrains) {
   EXPECT_NEAR(drag(one_particle(0.01, 0.1, 0.6), models), 1000 * grain, 1e-10 * grain);
 }
 
+TEST(Closures, AlphaByType) {
+  Models models = di_felice();
+  models.coarse_grain_by_type = {1, 10, 4};
+  Models one = di_felice();
+  for (double const type : {1.0, 2.0, 3.0}) {
+    Table table = one_particle(0.01, 0.1, 0.6);
+    table.add({"type", "-", 1});
+    table["type"](0, 0) = type;
+    one.coarse_grain = models.coarse_grain_by_type[static_cast<std::size_t>(type) - 1];
+    evaluate_drag(models, table);
+    EXPECT_EQ(table["drag"](0, 0), drag(one_particle(0.01, 0.1, 0.6), one)) << type;
+  }
+}
+
 TEST(Closures, BuoyancyIsTheWeightOfTheFluid) {
   Table table = one_particle(0.1, 0, 1);
   evaluate_force(di_felice(), Vec3(0, 0, -9.81), table);

@@ -44,6 +44,20 @@ TEST(Models, RefusesWhatItDoesNotKnow) {
   EXPECT_THROW(read("[coupling]\nreaction = \"two_way\"\n"), InputError);  // no smoothing length
 }
 
+TEST(Models, AlphaByTypeWantsTheType) {
+  std::string const two_way = "[coupling]\nsmoothing_length = 1.0\n";
+  std::string const list = "[models]\ncoarse_grain_by_type = [1, 2.5]\n";
+  Models const models = read(two_way + list);
+  ASSERT_EQ(models.particle_needs().size(), 1u);
+  EXPECT_EQ(models.particle_needs()[0].field.name, "type");
+  EXPECT_FALSE(
+      read(two_way + list + "drag = \"none\"\n").by_type());  // volume forces need no grains
+  EXPECT_THROW(read(two_way + "[models]\ncoarse_grain_by_type = [1, 0]\n"), InputError);
+  EXPECT_THROW(read(two_way + "[models]\ncoarse_grain_by_type = []\n"), InputError);
+  EXPECT_THROW(read(two_way + list + "contact_scaling = \"sakai\"\n"), InputError);
+  EXPECT_THROW(read(two_way + list + "[parameters]\ncoarse_grain = 2\n"), InputError);
+}
+
 TEST(Models, StiffRegimeAsksForMoreAndOnlyThere) {
   std::string const two_way = "[coupling]\nsmoothing_length = 1.0\n";
   EXPECT_TRUE(read(two_way).particle_needs().empty());

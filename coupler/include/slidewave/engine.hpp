@@ -132,7 +132,8 @@ class ParticleEngine : public Engine {
   virtual void gather(Table& particles) = 0;
   /// Columns that gather() can fill beyond those, for scenes that need them (the stiff regime):
   /// travel [m] since the last apply, other_force [N] (all but the fluid's, now), stiffest [N/m]
-  /// (physics/contact_secant.hpp).
+  /// (physics/contact_secant.hpp). For coarse graining by type: type, a whole number from 1; such
+  /// an engine states the fact particle_types, how many there are.
   virtual std::vector<std::string> extras() const { return {}; }
   /// Same rows as the last gather: drag [kg/s], fluid_velocity [m/s], force [N] to act during the
   /// coming advance through the exponential kick (physics/exponential_kick.hpp), and memory; only

@@ -34,6 +34,8 @@ class Scene {
   std::string text(std::string const& key, std::string const& otherwise) const;
   bool flag(std::string const& key, bool otherwise) const;
   Vec3 vector(std::string const& key) const;
+  /// A list of one finite number or more.
+  std::vector<double> numbers(std::string const& key) const;
   bool has(std::string const& key) const;
   /// Names of the tables (or keys) directly below a dotted key, in file order.
   std::vector<std::string> keys(std::string const& table) const;

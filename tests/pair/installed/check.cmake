@@ -9,7 +9,7 @@ endfunction()
 
 file(REMOVE_RECURSE ${WORK})
 step(${CMAKE_COMMAND} --install ${BUILD} --component coupler --prefix ${WORK}/package)
-step(${CMAKE_COMMAND} -S ${SOURCE}/installed -B ${WORK}/build -DCMAKE_PREFIX_PATH=${WORK}/package
+step(${CMAKE_COMMAND} -G Ninja -S ${SOURCE}/installed -B ${WORK}/build -DCMAKE_PREFIX_PATH=${WORK}/package
      -DCMAKE_CXX_COMPILER=${CXX} -DCMAKE_BUILD_TYPE=Release)
 step(${CMAKE_COMMAND} --build ${WORK}/build)
 step(${PYTHON} ${SOURCE}/pair.py budgets --bin ${WORK}/build --work ${WORK}/runs --mpirun ${MPIRUN})
