@@ -132,6 +132,9 @@ void LiggghtsEngine::set_up_scene() {
   loop_ = std::make_unique<StepLoop>(*lmp_);
   ParticleReport::add_columns(seen_);
   report_ = std::make_unique<ParticleReport>(session_);
+  if (OwnPairs::current()) {
+    step_watch_ = std::make_unique<StepWatch>(*lmp_, session_);
+  }
   if (wants_audit(scene) && EnergyAudit::obstacle(*lmp_).empty()) {
     audit_ = std::make_unique<EnergyAudit>(*lmp_, session_.has_partner());
   }
@@ -144,6 +147,9 @@ void LiggghtsEngine::observe() {
   }
   bool const wanted = report_->wants_overlap(lmp_->update->ntimestep);
   quantities_ = report_->observe(seen_, wanted ? max_overlap(*lmp_) : 0.0);
+  if (step_watch_) {
+    quantities_.push_back(step_watch_->observe(loop_->dt_s()));
+  }
   if (!audit_) {
     return;
   }

@@ -11,6 +11,7 @@
 #include "slidewave/coupler.hpp"
 #include "slidewave/particle_report.hpp"
 #include "step_loop.h"
+#include "step_watch.h"
 #include "touching.h"
 
 namespace LAMMPS_NS {
@@ -56,7 +57,8 @@ class LiggghtsEngine : public ParticleEngine {
   std::unique_ptr<LAMMPS_NS::LAMMPS> lmp_;
   std::unique_ptr<StepLoop> loop_;
   std::unique_ptr<ParticleReport> report_;
-  std::unique_ptr<EnergyAudit> audit_;  // none where it is off or cannot close
+  std::unique_ptr<StepWatch> step_watch_;  // with our own contact law
+  std::unique_ptr<EnergyAudit> audit_;     // none where it is off or cannot close
   bool drift_told_ = false;
   LAMMPS_NS::FixSlidewave* kick_ = nullptr;  // none in a dry scene
   std::string kick_command_;

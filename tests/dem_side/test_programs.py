@@ -1,6 +1,7 @@
 """slidewave_dem as a user starts it: dry runs against stock liggghts, and every way to go wrong."""
 
 import json
+import math
 import os
 import re
 import shutil
@@ -178,12 +179,23 @@ class OwnLaw(Folder):
             self.assertEqual("energy_drift" in header, wanted)
             active = json.loads((self.dir / "summary.json").read_text())["active"]
             self.assertIn("linear + coulomb, 3 numbers of history a contact", json.dumps(active))
+            self.assertNotIn("critical step", done.stdout)
             if wanted:
                 last = dict(zip(header, rows[-1].split(",")))
                 self.assertLess(abs(float(last["energy_drift"])), 0.01)
                 self.assertGreater(float(last["heat_friction_J"]), 1)
                 self.assertNotIn("work_fluid_J", header)
 
+
+    def test_step_is_watched(self):
+        """Over the critical step by hand: 2/sqrt(5 (10/3) ks/m), above 3/4 with a warning."""
+        mass = 2650 * math.pi / 6 * 0.9**3
+        for dt, warned in (("5e-4", 0), ("5e-3", 1)):
+            self.write(CASE.replace("dem_dt = 5e-4", f"dem_dt = {dt}"), OWN_LAW)
+            done = mpirun(2, PROGRAM, self.dir)
+            self.assertEqual(done.stdout.count("of the critical step"), warned, done.stdout)
+            found = json.loads((self.dir / "summary.json").read_text())["extremes"]["dem_step_fraction"]
+            self.assertAlmostEqual(found, float(dt) / (2 / math.sqrt(5 * 10 / 3 * 8e6 / mass)), places=6)
 
     def test_two_ranks_equal_one(self):
         """Places and speeds of a collapsing pile with every feature of the law, relative to D and 1 m/s."""
