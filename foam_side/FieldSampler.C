@@ -9,8 +9,9 @@ using namespace Foam;
 
 namespace {
 
-bool isVelocity(std::string const& field) {
-  return field == "velocity" || field == "mean_velocity";
+/// Of the fluid's own motion: shared out by its mass.
+bool isWeighted(std::string const& field) {
+  return field == "velocity" || field == "mean_velocity" || field == "acceleration";
 }
 
 std::optional<double> uniformValue(PorousFlow const& flow, std::string const& field) {
@@ -46,7 +47,7 @@ void FieldSampler::put(std::string const& field, int row, ParticleKernel::Fields
     forAll(values, cell) fields(row, cell) = values[cell];
   };
   auto const vectors = [&](vectorField const& values) {
-    bool const weighted = isVelocity(field);
+    bool const weighted = isWeighted(field);
     forAll(values, cell) {
       double const weight = weighted ? weight_[cell] : 1;
       for (direction d = 0; d < 3; ++d) fields(row + d, cell) = weight * values[cell][d];
@@ -66,6 +67,8 @@ void FieldSampler::put(std::string const& field, int row, ParticleKernel::Fields
     scalars(flow_.saturation()());
   } else if (field == "pressure_gradient") {
     vectors(flow_.meanPressureGradient());
+  } else if (field == "acceleration") {
+    vectors(flow_.meanAcceleration());
   } else if (field == "drag_reaction") {
     vectors(flow_.meanDragReaction());
   } else {
@@ -85,7 +88,7 @@ void FieldSampler::sample(std::vector<Sample> const& samples) {
       continue;
     }
     for (long d = 0; d < out.rows(); ++d) {
-      targets_.push_back({out.data() + d, out.rows(), isVelocity(sample.field)});
+      targets_.push_back({out.data() + d, out.rows(), isWeighted(sample.field)});
     }
   }
   int const count = static_cast<int>(targets_.size());

@@ -94,6 +94,8 @@ struct FoamEngine::Impl {
   FieldSampler sampler;
   scalarField target;
   std::unique_ptr<DragDensity> drag;
+  bool moves_along = false;               // virtual mass, two-way
+  double const* added_mass_kg = nullptr;  // of the coming window, a particle each
 
   Impl(Scene const& the_scene, MPI_Comm the_comm, bool parallel)
       : scene(the_scene),
@@ -116,7 +118,12 @@ struct FoamEngine::Impl {
     drag.reset(new DragDensity{
         {name("drag"), mesh, dimensionedScalar(dimMass / dimTime / dimVolume, Zero)},
         {name("dragVelocity"), mesh, dimensionedVector(dimForce / dimVolume, Zero)},
-        {name("extraForce"), mesh, dimensionedVector(dimForce / dimVolume, Zero)}});
+        {name("extraForce"), mesh, dimensionedVector(dimForce / dimVolume, Zero)},
+        nullptr});
+    if (moves_along) {
+      drag->addedMass = std::make_unique<volScalarField::Internal>(
+          name("addedMass"), mesh, dimensionedScalar(dimDensity, Zero));
+    }
   }
 
   void write(double now_s) {
@@ -141,10 +148,14 @@ FoamEngine::FoamEngine(Scene const& scene, MPI_Comm comm) {
   bool const coupled = scene.text("dem.engine", "none") != "none";
   bool const two_way = coupled && scene.text("coupling.reaction", "two_way") == "two_way";
   bool const concurrent = scene.text("coupling.scheme", "serial") == "concurrent";
-  self.flow->keepMeans(two_way && !concurrent,
-                       coupled && scene.flag("models.pressure_gradient", true),
-                       two_way && scene.text("coupling.regime", "auto") == "stiff");
-  if (concurrent) self.flow->carryGradient();
+  Means means;
+  means.velocity = two_way && !concurrent;
+  means.pressureGradient = coupled && scene.flag("models.pressure_gradient", true);
+  means.carried = concurrent && means.pressureGradient;
+  means.dragReaction = two_way && scene.text("coupling.regime", "auto") == "stiff";
+  means.acceleration = coupled && scene.text("models.virtual_mass", "none") != "none";
+  self.moves_along = two_way && means.acceleration;
+  self.flow->keepMeans(means);
   self.observers = makeObservers(scene, self.foam.mesh());
   if (rank == 0) std::ofstream(scene.directory() / "fluid" / "case.foam");  // what ParaView opens
 }
@@ -185,9 +196,10 @@ std::vector<Feature> FoamEngine::features() const {
 }
 
 std::vector<Field> FoamEngine::samples() const {
-  return {{"velocity", "m/s", 3},           {"mean_velocity", "m/s", 3}, {"density", "kg/m3", 1},
-          {"viscosity", "Pa s", 1},         {"void_fraction", "-", 1},   {"saturation", "-", 1},
-          {"pressure_gradient", "Pa/m", 3}, {"drag_reaction", "Pa/m", 3}};
+  return {
+      {"velocity", "m/s", 3},           {"mean_velocity", "m/s", 3},  {"density", "kg/m3", 1},
+      {"viscosity", "Pa s", 1},         {"void_fraction", "-", 1},    {"saturation", "-", 1},
+      {"pressure_gradient", "Pa/m", 3}, {"drag_reaction", "Pa/m", 3}, {"acceleration", "m/s2", 3}};
 }
 
 Home FoamEngine::locate(Vec3 const& position_m, int hint_cell) {
@@ -209,18 +221,22 @@ void FoamEngine::deposit(Table::ConstColumn volume_m3) {
   self.flow->setTarget(self.target);
 }
 
+void FoamEngine::add_mass(Table::ConstColumn const& added_mass_kg) {
+  impl_->added_mass_kg = added_mass_kg.data();
+}
+
 void FoamEngine::exchange(Table::ConstColumn drag_kg_s, Table::ConstColumn velocity_m_s,
                           Table::ConstColumn force_N) {
   Impl& self = *impl_;
   if (self.particles == 0) return;
   self.sampler.weighParticles();
   // Shares of a particle's drag: q = K / T(rho eps), so that the cells' total is K (u_f - v).
-  auto const density = self.kernel.spread(7, [&](int i, double* out) {
+  auto const density = self.kernel.spread(self.moves_along ? 8 : 7, [&](int i, double* out) {
     double const share = 1 / self.sampler.particleWeight(i), drag = drag_kg_s(0, i) * share;
     out[0] = drag;
     for (int d = 0; d < 3; ++d) out[1 + d] = drag * velocity_m_s(d, i);
     for (int d = 0; d < 3; ++d) out[4 + d] = share * force_N(d, i);
-    out[7] = 0;
+    out[7] = self.moves_along ? share * self.added_mass_kg[i] : 0;
   });
   if (!self.drag) self.makeDrag();
   for (label cell = 0; cell < self.foam.mesh().nCells(); ++cell) {
@@ -230,6 +246,10 @@ void FoamEngine::exchange(Table::ConstColumn drag_kg_s, Table::ConstColumn veloc
       self.drag->velocitySource[cell][d] = weight * density(1 + d, cell);
       self.drag->force[cell][d] = weight * density(4 + d, cell);
     }
+  }
+  if (self.moves_along) {
+    scalarField& added = *self.drag->addedMass;
+    forAll(added, cell) added[cell] = self.sampler.cellWeight(cell) * density(7, cell);
   }
   self.flow->setDrag(self.drag.get());
 }

@@ -48,6 +48,7 @@ tmp<fvVectorMatrix> OneFluid::momentum() {
                             (-fvc::div(nu * dev2(T(fvc::grad(U_)))) - fvm::laplacian(nu, U_)));
   fvVectorMatrix& UEqn = tUEqn.ref();
   addDrag(UEqn, 1 / rho_);
+  addInertia(UEqn, 1 / rho_, "div(phi,U)");
   UEqn.relax();
   if (pimple_.momentumPredictor()) {
     if (dragOnFaces()) {
@@ -64,7 +65,9 @@ void OneFluid::correctPressure(fvVectorMatrix& UEqn, surfaceScalarField const& i
   volScalarField const rAU(1 / UEqn.A());
   surfaceScalarField const rAUf("rAUf", sqr(epsf_) * fvc::interpolate(rAU));
   volVectorField const HbyA(constrainHbyA(rAU * UEqn.H(), U_, p_));
-  surfaceScalarField F("phiHbyA", fvc::flux(eps_ * HbyA) + fvc::interpolate(eps_ * rAU) * inertia);
+  surfaceScalarField F(
+      "phiHbyA",
+      fvc::flux(eps_ * HbyA) + fvc::interpolate(withAddedMass(eps_, 1 / rho_) * rAU) * inertia);
   if (p_.needReference()) adjustPhi(F, U_, p_);
   tmp<surfaceScalarField> push;
   if (dragOnFaces()) {

@@ -85,13 +85,13 @@ PorousFlow::PorousFlow(fvMesh& mesh, Time& time, word const& pressure)
 
 PorousFlow::~PorousFlow() = default;
 
-void PorousFlow::keepMeans(bool velocity, bool pressureGradient, bool dragReaction) {
-  keepVelocity_ = velocity;
-  keepGradient_ = pressureGradient;
-  keepReaction_ = dragReaction;
-  if (velocity) meanU_.setSize(mesh_.nCells(), Zero);
-  if (pressureGradient) meanGradP_.setSize(mesh_.nCells(), Zero);
-  if (dragReaction) meanReaction_.setSize(mesh_.nCells(), Zero);
+void PorousFlow::keepMeans(Means const& wanted) {
+  means_ = wanted;
+  label const cells = mesh_.nCells();
+  if (means_.velocity) meanU_.setSize(cells, Zero);
+  if (means_.pressureGradient) meanGradP_.setSize(cells, Zero);
+  if (means_.dragReaction) meanReaction_.setSize(cells, Zero);
+  if (means_.acceleration) meanAcceleration_.setSize(cells, Zero);
 }
 
 void PorousFlow::setTarget(scalarField const& eps) {
@@ -107,8 +107,8 @@ void PorousFlow::initialise() {
   initialised_ = true;
   TrapFloatingPoint const trap;
   solveHydrostatic();
-  if (keepVelocity_) meanU_ = U_.primitiveField();
-  if (keepGradient_) meanGradP_ = pressureGradient()();
+  if (means_.velocity) meanU_ = U_.primitiveField();
+  if (means_.pressureGradient) meanGradP_ = pressureGradient()();
   accountVolumes();
 }
 
@@ -134,18 +134,18 @@ void PorousFlow::advance(double end_s) {
   }
   time_.setTime(end_s, time_.timeIndex());
   double const window_s = end_s - begin_s;
-  if (keepVelocity_) meanU_ /= window_s;
-  if (keepGradient_) meanGradP_ /= window_s;
-  if (keepReaction_) meanReaction_ /= window_s;
+  for (vectorField* mean : {&meanU_, &meanGradP_, &meanReaction_, &meanAcceleration_}) {
+    *mean /= window_s;
+  }
   start_.reset();
 }
 
 // The ramp's slope, and a flux that satisfies continuity with it from the first step on: otherwise
 // the phase equation would see the last window's rate, and saturation would leave [0, 1].
 void PorousFlow::startWindow(double length_s) {
-  meanU_ = Zero;
-  meanGradP_ = Zero;
-  meanReaction_ = Zero;
+  for (vectorField* mean : {&meanU_, &meanGradP_, &meanReaction_, &meanAcceleration_}) {
+    *mean = Zero;
+  }
   given_ = Zero;
   if (!target_) return;
   start_ = std::make_unique<scalarField>(eps_.primitiveField());
@@ -217,6 +217,23 @@ void PorousFlow::addDrag(fvVectorMatrix& UEqn, dimensionedScalar const& scale) c
   if (!dragOnFaces()) UEqn -= scale * (drag_->velocitySource + drag_->force);
 }
 
+void PorousFlow::addInertia(fvVectorMatrix& UEqn, dimensionedScalar const& scale,
+                            word const& scheme) {
+  if (!means_.acceleration) return;
+  DUDt_ = std::make_unique<fvVectorMatrix>(fvm::ddt(U_) + fvm::div(phi_, U_, scheme) -
+                                           fvm::Sp(fvc::div(phi_)(), U_));
+  if (drag_ && drag_->addedMass) UEqn += (scale * *drag_->addedMass) * *DUDt_;
+}
+
+tmp<volScalarField> PorousFlow::withAddedMass(tmp<volScalarField> fluid,
+                                              dimensionedScalar const& scale) const {
+  if (!drag_ || !drag_->addedMass) return fluid;
+  tmp<volScalarField> both(new volScalarField(fluid));
+  both.ref().primitiveFieldRef() += scale.value() * drag_->addedMass->field();
+  both.ref().correctBoundaryConditions();
+  return both;
+}
+
 tmp<vectorField> PorousFlow::dragPush() const {
   return (drag_->velocitySource.field() + drag_->force.field()) / eps_.primitiveField();
 }
@@ -245,7 +262,7 @@ void PorousFlow::pass(FieldState& fields) {
   fields.pass(phi_);
   fields.pass(F_);
   fields.pass(rate_);
-  if (carryGradient_) fields.passCells("meanGradP", meanGradP_);
+  if (means_.carried) fields.passCells("meanGradP", meanGradP_);
   State& state = fields.state();
   stepSize_.pass(state);
   state.pass("flow.steps", steps_);
@@ -256,13 +273,19 @@ void PorousFlow::pass(FieldState& fields) {
 void PorousFlow::account() {
   double const dt_s = time_.deltaTValue();
   accountVolumes();
-  if (keepVelocity_) meanU_ += dt_s * U_.primitiveField();
-  if (keepGradient_) meanGradP_ += dt_s * pressureGradient();
+  if (means_.velocity) meanU_ += dt_s * U_.primitiveField();
+  if (means_.pressureGradient) meanGradP_ += dt_s * pressureGradient();
+  tmp<volVectorField> DUDt;
+  if (DUDt_) {
+    DUDt = *DUDt_ & U_;
+    meanAcceleration_ += dt_s * DUDt().primitiveField();
+  }
   if (drag_) {
-    vectorField const taken(drag_->coefficient.field() * U_.primitiveField() -
-                            drag_->velocitySource.field() - drag_->force.field());
+    vectorField taken(drag_->coefficient.field() * U_.primitiveField() -
+                      drag_->velocitySource.field() - drag_->force.field());
+    if (drag_->addedMass) taken += drag_->addedMass->field() * DUDt().primitiveField();
     given_ += dt_s * sum((taken * mesh_.V().field())());
-    if (keepReaction_) meanReaction_ += dt_s * taken / eps_.primitiveField();
+    if (means_.dragReaction) meanReaction_ += dt_s * taken / eps_.primitiveField();
   }
 }
 

@@ -54,11 +54,13 @@ void TwoFluids::solveStep() {
 }
 
 tmp<fvVectorMatrix> TwoFluids::momentum(surfaceScalarField const& force) {
+  dimensionedScalar const one("one", dimless, 1);
   volScalarField const mu("(rho*nuEff)", eps_ * rho_ * mixture_.nu());
   tmp<fvVectorMatrix> tUEqn((fvm::ddt(eps_, rho_, U_) + fvm::div(rhoF_, U_)) +
                             (-fvc::div(mu * dev2(T(fvc::grad(U_)))) - fvm::laplacian(mu, U_)));
   fvVectorMatrix& UEqn = tUEqn.ref();
-  addDrag(UEqn, dimensionedScalar("one", dimless, 1));
+  addDrag(UEqn, one);
+  addInertia(UEqn, one, "div(rhoPhi,U)");
   UEqn.relax();
   if (pimple_.momentumPredictor()) {
     solve(UEqn == eps_ * fvc::reconstruct((force - fvc::snGrad(p_)) * mesh_.magSf()));
@@ -81,8 +83,10 @@ void TwoFluids::correctPressure(fvVectorMatrix& UEqn, surfaceScalarField const& 
   surfaceScalarField const rAUf("rAUf", sqr(epsf_) * fvc::interpolate(rAU));
   volVectorField const HbyA(constrainHbyA(rAU * UEqn.H(), U_, p_));
   // eps HbyA goes to the faces as one product: its flux is smooth where eps jumps.
-  surfaceScalarField F("phiHbyA",
-                       fvc::flux(eps_ * HbyA) + fvc::interpolate(eps_ * rho_ * rAU) * inertia);
+  dimensionedScalar const one("one", dimless, 1);
+  surfaceScalarField F(
+      "phiHbyA",
+      fvc::flux(eps_ * HbyA) + fvc::interpolate(withAddedMass(eps_ * rho_, one) * rAU) * inertia);
   if (p_.needReference()) adjustPhi(F, U_, p_);
   surfaceScalarField const forceFlux(force * rAUf * mesh_.magSf());
   F += forceFlux;

@@ -1,7 +1,8 @@
 // foam_drive DIR: the fluid engine alone, with particles that move on straight lines.
 //
 // DIR/case.toml and DIR/fluid as in a coupled run; DIR/particles.csv (may be absent) has a row a
-// particle: x,y,z,vx,vy,vz,volume,K,fx,fy,fz. Writes DIR/samples.csv (a row a window and particle)
+// particle: x,y,z,vx,vy,vz,volume,K,fx,fy,fz; with models.virtual_mass a particle moves along half
+// its volume of water. Writes DIR/samples.csv (a row a window and particle)
 // and DIR/windows.csv (a row a window: quantities and budgets).
 #include <cstdio>
 #include <fstream>
@@ -64,6 +65,7 @@ int drive(std::filesystem::path const& directory) {
   foam::FoamEngine engine(scene, world.comm);
   bool const two_way = scene.text("coupling.reaction", "two_way") == "two_way";
   bool const stiff = two_way && scene.text("coupling.regime", "mild") == "stiff";
+  bool const moves_along = scene.text("models.virtual_mass", "none") != "none";
   double const window_s = scene.number("coupling.window");
   long const windows = std::lround(scene.number("case.end_time") / window_s);
 
@@ -96,10 +98,11 @@ int drive(std::filesystem::path const& directory) {
       return Table::ConstColumn(m.data(), m.rows(), m.cols());
     };
     MatrixXd const x = here.topRows(3), v = here.middleRows(3, 3), volume = here.row(6),
-                   drag = here.row(7), force = here.bottomRows(3);
+                   drag = here.row(7), force = here.bottomRows(3), added = 500 * volume;
     engine.place(column(x), cells);
     if (two_way) {
       engine.deposit(column(volume));
+      if (moves_along) engine.add_mass(column(added));
       engine.exchange(column(drag), column(v), column(force));
     }
     engine.advance(window);
@@ -107,17 +110,19 @@ int drive(std::filesystem::path const& directory) {
     MatrixXd out = MatrixXd::Zero(components, all.cols());
     int row = 0;
     MatrixXd mean_velocity = MatrixXd::Zero(3, here.cols());
-    MatrixXd gradient = mean_velocity;
+    MatrixXd gradient = mean_velocity, acceleration = mean_velocity;
     for (Field const& field : fields) {
       MatrixXd values = MatrixXd::Zero(field.components, here.cols());
       bool const kept = field.name == "drag_reaction"   ? stiff
                         : field.name == "mean_velocity" ? two_way
+                        : field.name == "acceleration"  ? moves_along
                                                         : true;
       if (kept) {
         engine.sample(field.name, Table::Column(values.data(), values.rows(), values.cols()));
       }
       if (field.name == "mean_velocity") mean_velocity = values;
       if (field.name == "pressure_gradient") gradient = values;
+      if (field.name == "acceleration") acceleration = values;
       for (std::size_t i = 0; i < mine.size(); ++i) {
         out.block(row, mine[i], field.components, 1) = values.col(static_cast<long>(i));
       }
@@ -128,7 +133,10 @@ int drive(std::filesystem::path const& directory) {
     MatrixXd sums(3, 5);
     sums.setZero();
     MatrixXd const slip = mean_velocity - v;
-    sums.col(0) = window.length_s() * (slip * drag.row(0).asDiagonal() - force).rowwise().sum();
+    sums.col(0) = window.length_s() * (slip * drag.row(0).asDiagonal() - force +
+                                       acceleration * added.row(0).asDiagonal())
+                                          .rowwise()
+                                          .sum();
     sums.col(1) = engine.given_impulse();
     sums.col(2) = (gradient * volume.row(0).asDiagonal()).rowwise().sum();
     sums.col(3) = engine.solid_pressure_force();
