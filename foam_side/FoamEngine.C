@@ -149,11 +149,13 @@ FoamEngine::FoamEngine(Scene const& scene, MPI_Comm comm) {
   bool const two_way = coupled && scene.text("coupling.reaction", "two_way") == "two_way";
   bool const concurrent = scene.text("coupling.scheme", "serial") == "concurrent";
   Means means;
+  bool const whole = coupled && scene.text("models.formulation", "A") == "B";
   means.velocity = two_way && !concurrent;
-  means.pressureGradient = coupled && scene.flag("models.pressure_gradient", true);
+  means.pressureGradient = coupled && scene.flag("models.pressure_gradient", !whole);
   means.carried = concurrent && means.pressureGradient;
   means.dragReaction = two_way && scene.text("coupling.regime", "auto") == "stiff";
   means.acceleration = coupled && scene.text("models.virtual_mass", "none") != "none";
+  means.wholeStress = whole && two_way;
   self.moves_along = two_way && means.acceleration;
   self.flow->keepMeans(means);
   self.observers = makeObservers(scene, self.foam.mesh());

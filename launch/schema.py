@@ -55,7 +55,7 @@ KEYS: dict[str, Key] = {
     "models.drag_coefficient": Key("text", "drag coefficient of one sphere",
                                    choices=("brown_lawler", "dalla_valle", "schiller_naumann", "stokes")),
     "models.formulation": Key("text", "A: particles share the pressure gradient; B: the fluid carries it whole, "
-                              "drag K/eps and Archimedes' force act on particles (one-way only)", choices=("A", "B")),
+                              "drag K/eps and Archimedes' force act on particles (two-way: mild regime, serial scheme)", choices=("A", "B")),
     "models.pressure_gradient": Key("flag", "pressure-gradient force (buoyancy) on the particles; default true in formulation A, "
                                     "not in B"),
     "models.viscous_force": Key("flag", "particles carry their share V div(tau) of the viscous stress (A only); default false"),

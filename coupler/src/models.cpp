@@ -74,12 +74,10 @@ Models Models::from(Scene const& scene) {
                 "is buoyancy");
     }
   }
-  refuse_if(models.archimedes() && models.two_way, scene, "models.formulation", "B",
-            "goes with coupling.reaction = \"one_way\" only: no fluid engine yet carries the whole "
-            "pressure gradient of a bed");
   if (models.stiff) {
     std::string const mild =
         "goes with coupling.regime = \"mild\" only; shorten coupling.window, or leave it out";
+    refuse_if(models.archimedes(), scene, "models.formulation", "B", mild);
     refuse_if(models.moves_fluid_along(), scene, "models.virtual_mass", added, mild);
     refuse_if(models.lift, scene, "models.lift", "saffman_mei", mild);
   }
@@ -95,6 +93,7 @@ Models Models::from(Scene const& scene) {
   }
   if (models.concurrent) {
     std::string const serial = "goes with coupling.scheme = \"serial\" only";
+    refuse_if(models.archimedes() && models.two_way, scene, "models.formulation", "B", serial);
     refuse_if(models.moves_fluid_along(), scene, "models.virtual_mass", added, serial);
     refuse_if(models.viscous_force, scene, "models.viscous_force", "true", serial);
     refuse_if(models.lift, scene, "models.lift", "saffman_mei", serial);

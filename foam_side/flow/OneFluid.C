@@ -43,7 +43,7 @@ void OneFluid::solveStep() {
 }
 
 tmp<fvVectorMatrix> OneFluid::momentum() {
-  volScalarField const nu("nuEff", eps_ * nu_);
+  volScalarField const nu("nuEff", share() * nu_);
   tmp<fvVectorMatrix> tUEqn((fvm::ddt(eps_, U_) + fvm::div(F_, U_, "div(phi,U)")) +
                             (-fvc::div(nu * dev2(T(fvc::grad(U_)))) - fvm::laplacian(nu, U_)));
   fvVectorMatrix& UEqn = tUEqn.ref();
@@ -55,7 +55,7 @@ tmp<fvVectorMatrix> OneFluid::momentum() {
       solve(UEqn ==
             eps_ * fvc::reconstruct((dragForce(1 / rho_) - fvc::snGrad(p_)) * mesh_.magSf()));
     } else {
-      solve(UEqn == -eps_ * fvc::grad(p_));
+      solve(UEqn == -share() * fvc::grad(p_));
     }
   }
   return tUEqn;
@@ -63,7 +63,7 @@ tmp<fvVectorMatrix> OneFluid::momentum() {
 
 void OneFluid::correctPressure(fvVectorMatrix& UEqn, surfaceScalarField const& inertia) {
   volScalarField const rAU(1 / UEqn.A());
-  surfaceScalarField const rAUf("rAUf", sqr(epsf_) * fvc::interpolate(rAU));
+  surfaceScalarField const rAUf("rAUf", epsf_ * shareOnFaces() * fvc::interpolate(rAU));
   volVectorField const HbyA(constrainHbyA(rAU * UEqn.H(), U_, p_));
   surfaceScalarField F(
       "phiHbyA",
@@ -89,7 +89,7 @@ void OneFluid::correctPressure(fvVectorMatrix& UEqn, surfaceScalarField const& i
   if (dragOnFaces()) {
     U_ = HbyA + rAU * eps_ * balance_;
   } else {
-    U_ = HbyA - rAU * eps_ * fvc::grad(p_);
+    U_ = HbyA - rAU * share() * fvc::grad(p_);
   }
   U_.correctBoundaryConditions();
 }

@@ -92,6 +92,13 @@ void PorousFlow::keepMeans(Means const& wanted) {
   if (means_.pressureGradient) meanGradP_.setSize(cells, Zero);
   if (means_.dragReaction) meanReaction_.setSize(cells, Zero);
   if (means_.acceleration) meanAcceleration_.setSize(cells, Zero);
+  if (means_.wholeStress) {
+    dimensionedScalar const one("one", dimless, 1);
+    one_ = std::make_unique<volScalarField>(
+        stored("one", mesh_, IOobject::NO_READ, IOobject::NO_WRITE), mesh_, one);
+    oneOnFaces_ = std::make_unique<surfaceScalarField>(
+        stored("onef", mesh_, IOobject::NO_READ, IOobject::NO_WRITE), mesh_, one);
+  }
 }
 
 void PorousFlow::setTarget(scalarField const& eps) {

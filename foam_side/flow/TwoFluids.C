@@ -55,7 +55,7 @@ void TwoFluids::solveStep() {
 
 tmp<fvVectorMatrix> TwoFluids::momentum(surfaceScalarField const& force) {
   dimensionedScalar const one("one", dimless, 1);
-  volScalarField const mu("(rho*nuEff)", eps_ * rho_ * mixture_.nu());
+  volScalarField const mu("(rho*nuEff)", share() * rho_ * mixture_.nu());
   tmp<fvVectorMatrix> tUEqn((fvm::ddt(eps_, rho_, U_) + fvm::div(rhoF_, U_)) +
                             (-fvc::div(mu * dev2(T(fvc::grad(U_)))) - fvm::laplacian(mu, U_)));
   fvVectorMatrix& UEqn = tUEqn.ref();
@@ -63,7 +63,7 @@ tmp<fvVectorMatrix> TwoFluids::momentum(surfaceScalarField const& force) {
   addInertia(UEqn, one, "div(rhoPhi,U)");
   UEqn.relax();
   if (pimple_.momentumPredictor()) {
-    solve(UEqn == eps_ * fvc::reconstruct((force - fvc::snGrad(p_)) * mesh_.magSf()));
+    solve(UEqn == share() * fvc::reconstruct((force - fvc::snGrad(p_)) * mesh_.magSf()));
   }
   return tUEqn;
 }
@@ -80,7 +80,7 @@ tmp<surfaceScalarField> TwoFluids::bodyForce() const {
 void TwoFluids::correctPressure(fvVectorMatrix& UEqn, surfaceScalarField const& force,
                                 surfaceScalarField const& inertia) {
   volScalarField const rAU(1 / UEqn.A());
-  surfaceScalarField const rAUf("rAUf", sqr(epsf_) * fvc::interpolate(rAU));
+  surfaceScalarField const rAUf("rAUf", epsf_ * shareOnFaces() * fvc::interpolate(rAU));
   volVectorField const HbyA(constrainHbyA(rAU * UEqn.H(), U_, p_));
   // eps HbyA goes to the faces as one product: its flux is smooth where eps jumps.
   dimensionedScalar const one("one", dimless, 1);
@@ -101,7 +101,7 @@ void TwoFluids::correctPressure(fvVectorMatrix& UEqn, surfaceScalarField const& 
       setFlux(F - flux());
       p_.relax();
       balance_ = fvc::reconstruct((forceFlux - flux()) / rAUf);
-      U_ = HbyA + rAU * eps_ * balance_;
+      U_ = HbyA + rAU * share() * balance_;
       U_.correctBoundaryConditions();
     }
   }

@@ -116,7 +116,7 @@ TEST(Models, EachForceAsksForItsOwn) {
 }
 
 TEST(Models, FormulationBTakesNoShareOfTheStress) {
-  std::string const start = "[coupling]\nreaction = \"one_way\"\n";
+  std::string const start = "[coupling]\nsmoothing_length = 1.0\n";
   std::string const b = "[models]\nformulation = \"B\"\n";
   Models const models = read(start + b);
   EXPECT_TRUE(models.archimedes() && models.force() && !models.pressure_gradient);
@@ -126,11 +126,13 @@ TEST(Models, FormulationBTakesNoShareOfTheStress) {
   }
   EXPECT_THROW(read(start + b + "pressure_gradient = true\n"), InputError);
   EXPECT_THROW(read(start + b + "viscous_force = true\n"), InputError);
-  EXPECT_THROW(read("[coupling]\nsmoothing_length = 1.0\n" + b), InputError);  // two-way
+  EXPECT_THROW(read(start + "scheme = \"concurrent\"\n" + b), InputError);
+  EXPECT_NO_THROW(read("[coupling]\nreaction = \"one_way\"\nscheme = \"concurrent\"\n" + b));
 }
 
 TEST(Models, StiffRegimeRefusesForcesThatItCannotForesee) {
   std::string const stiff = "[coupling]\nsmoothing_length = 1.0\nregime = \"stiff\"\n";
+  EXPECT_THROW(read(stiff + "[models]\nformulation = \"B\"\n"), InputError);
   EXPECT_THROW(read(stiff + "[models]\nvirtual_mass = \"constant\"\n"), InputError);
   EXPECT_THROW(read(stiff + "[models]\nlift = \"saffman_mei\"\n"), InputError);
   EXPECT_TRUE(read(stiff + "[models]\ntorque = \"rotational_drag\"\n").stiff);

@@ -65,6 +65,7 @@ int drive(std::filesystem::path const& directory) {
   foam::FoamEngine engine(scene, world.comm);
   bool const two_way = scene.text("coupling.reaction", "two_way") == "two_way";
   bool const stiff = two_way && scene.text("coupling.regime", "mild") == "stiff";
+  bool const shares_pressure = scene.text("models.formulation", "A") == "A";
   bool const moves_along = scene.text("models.virtual_mass", "none") != "none";
   double const window_s = scene.number("coupling.window");
   long const windows = std::lround(scene.number("case.end_time") / window_s);
@@ -113,10 +114,11 @@ int drive(std::filesystem::path const& directory) {
     MatrixXd gradient = mean_velocity, acceleration = mean_velocity;
     for (Field const& field : fields) {
       MatrixXd values = MatrixXd::Zero(field.components, here.cols());
-      bool const kept = field.name == "drag_reaction"   ? stiff
-                        : field.name == "mean_velocity" ? two_way
-                        : field.name == "acceleration"  ? moves_along
-                                                        : true;
+      bool const kept = field.name == "drag_reaction"       ? stiff
+                        : field.name == "mean_velocity"     ? two_way
+                        : field.name == "acceleration"      ? moves_along
+                        : field.name == "pressure_gradient" ? shares_pressure
+                                                            : true;
       if (kept) {
         engine.sample(field.name, Table::Column(values.data(), values.rows(), values.cols()));
       }

@@ -17,10 +17,10 @@ def water_speed(case):
 
 
 class Rest(unittest.TestCase):
-    def lake(self, depth, **settings):
+    def lake(self, depth, more="", **settings):
         case = kit.column((20, 20), (10, 10), depth, dt=DT, **settings)
         case.controls(end=END)
-        case.case(END, 0.1, smoothing=1.0)
+        case.case(END, 0.1, smoothing=1.0, more=more)
         return case
 
     def test_flat_mesh_surface_inside_a_cell(self):
@@ -45,7 +45,15 @@ class Rest(unittest.TestCase):
 
     def test_held_bed_under_the_surface_and_through_it(self):
         """Pressure at the base is rho g h, not eps rho g h; a particle under water is lifted by rho g V."""
-        case = self.lake(5.2)
+        self.bed_rests(lambda samples: samples["pressure_gradientz"] / -G)
+
+    def test_held_bed_in_formulation_b(self):
+        """The same where Archimedes' force is buoyancy: its reaction is part of the fluid's rho g."""
+        self.bed_rests(lambda samples: samples["density"], '[models]\nformulation = "B"')
+
+    def bed_rests(self, lift_of, more=""):
+        """lift_of: buoyancy over V g at the particles."""
+        case = self.lake(5.2, more)
         x = case.centres()
         bed = x[(x[:, 2] < 7) & (x[:, 0] > 3)]
         case.particles(bed, 0.4 * case.cell_volume(), drag=1e4)
@@ -54,9 +62,13 @@ class Rest(unittest.TestCase):
         print("bed", mean, largest)
         self.assertLess(largest, 1e-6)
         last = samples["window"] == samples["window"].max()
-        lift = samples["pressure_gradientz"][last] / -G
-        deep = last.nonzero()[0][bed[:, 2] < 1.2]  # farther from the surface than the kernel reaches
-        np.testing.assert_allclose(samples["pressure_gradientz"][deep], -1000 * G, rtol=1e-6)
+        lift = lift_of(samples)[last]
+        # deep: farther from the surface than the kernel reaches
+        np.testing.assert_allclose(lift[bed[:, 2] < 1.2], 1000, rtol=1e-6)
+        column = np.abs(bed[:, 0] - bed[0, 0]) < 1e-9  # monotone from water to air
+        by_height = lift[column][np.argsort(bed[column, 2])]
+        self.assertGreater(column.sum(), 10)
+        self.assertLess(np.diff(by_height).max(), 1e-6 * 1000)
         self.assertGreaterEqual(lift.min(), 0.99 * 1.2)
         self.assertLessEqual(lift.max(), 1.01 * 1000)
         np.testing.assert_allclose(lift[bed[:, 2] > 6.9], 1.2, rtol=0.5)
