@@ -69,6 +69,8 @@ void FieldSampler::put(std::string const& field, int row, ParticleKernel::Fields
     vectors(flow_.meanPressureGradient());
   } else if (field == "acceleration") {
     vectors(flow_.meanAcceleration());
+  } else if (field == "viscous_stress") {
+    vectors(flow_.meanViscousStress());
   } else if (field == "drag_reaction") {
     vectors(flow_.meanDragReaction());
   } else {

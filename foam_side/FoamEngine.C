@@ -155,6 +155,7 @@ FoamEngine::FoamEngine(Scene const& scene, MPI_Comm comm) {
   means.carried = concurrent && means.pressureGradient;
   means.dragReaction = two_way && scene.text("coupling.regime", "auto") == "stiff";
   means.acceleration = coupled && scene.text("models.virtual_mass", "none") != "none";
+  means.viscousStress = coupled && scene.flag("models.viscous_force", false);
   means.wholeStress = whole && two_way;
   self.moves_along = two_way && means.acceleration;
   self.flow->keepMeans(means);
@@ -198,10 +199,11 @@ std::vector<Feature> FoamEngine::features() const {
 }
 
 std::vector<Field> FoamEngine::samples() const {
-  return {
-      {"velocity", "m/s", 3},           {"mean_velocity", "m/s", 3},  {"density", "kg/m3", 1},
-      {"viscosity", "Pa s", 1},         {"void_fraction", "-", 1},    {"saturation", "-", 1},
-      {"pressure_gradient", "Pa/m", 3}, {"drag_reaction", "Pa/m", 3}, {"acceleration", "m/s2", 3}};
+  return {{"velocity", "m/s", 3},           {"mean_velocity", "m/s", 3},
+          {"density", "kg/m3", 1},          {"viscosity", "Pa s", 1},
+          {"void_fraction", "-", 1},        {"saturation", "-", 1},
+          {"pressure_gradient", "Pa/m", 3}, {"drag_reaction", "Pa/m", 3},
+          {"acceleration", "m/s2", 3},      {"viscous_stress", "Pa/m", 3}};
 }
 
 Home FoamEngine::locate(Vec3 const& position_m, int hint_cell) {

@@ -43,9 +43,10 @@ void OneFluid::solveStep() {
 }
 
 tmp<fvVectorMatrix> OneFluid::momentum() {
-  volScalarField const nu("nuEff", share() * nu_);
-  tmp<fvVectorMatrix> tUEqn((fvm::ddt(eps_, U_) + fvm::div(F_, U_, "div(phi,U)")) +
-                            (-fvc::div(nu * dev2(T(fvc::grad(U_)))) - fvm::laplacian(nu, U_)));
+  volScalarField const nu("nuEff", viscousShare() * nu_);
+  tmp<fvVectorMatrix> tUEqn(
+      (fvm::ddt(eps_, U_) + fvm::div(F_, U_, "div(phi,U)")) +
+      carried(-fvc::div(nu * dev2(T(fvc::grad(U_)))) - fvm::laplacian(nu, U_), 1 / rho_));
   fvVectorMatrix& UEqn = tUEqn.ref();
   addDrag(UEqn, 1 / rho_);
   addInertia(UEqn, 1 / rho_, "div(phi,U)");

@@ -92,10 +92,13 @@ void PorousFlow::keepMeans(Means const& wanted) {
   if (means_.pressureGradient) meanGradP_.setSize(cells, Zero);
   if (means_.dragReaction) meanReaction_.setSize(cells, Zero);
   if (means_.acceleration) meanAcceleration_.setSize(cells, Zero);
-  if (means_.wholeStress) {
-    dimensionedScalar const one("one", dimless, 1);
+  if (means_.viscousStress) meanStress_.setSize(cells, Zero);
+  dimensionedScalar const one("one", dimless, 1);
+  if (means_.viscousStress || means_.wholeStress) {
     one_ = std::make_unique<volScalarField>(
         stored("one", mesh_, IOobject::NO_READ, IOobject::NO_WRITE), mesh_, one);
+  }
+  if (means_.wholeStress) {
     oneOnFaces_ = std::make_unique<surfaceScalarField>(
         stored("onef", mesh_, IOobject::NO_READ, IOobject::NO_WRITE), mesh_, one);
   }
@@ -141,7 +144,8 @@ void PorousFlow::advance(double end_s) {
   }
   time_.setTime(end_s, time_.timeIndex());
   double const window_s = end_s - begin_s;
-  for (vectorField* mean : {&meanU_, &meanGradP_, &meanReaction_, &meanAcceleration_}) {
+  for (vectorField* mean :
+       {&meanU_, &meanGradP_, &meanReaction_, &meanAcceleration_, &meanStress_}) {
     *mean /= window_s;
   }
   start_.reset();
@@ -150,7 +154,8 @@ void PorousFlow::advance(double end_s) {
 // The ramp's slope, and a flux that satisfies continuity with it from the first step on: otherwise
 // the phase equation would see the last window's rate, and saturation would leave [0, 1].
 void PorousFlow::startWindow(double length_s) {
-  for (vectorField* mean : {&meanU_, &meanGradP_, &meanReaction_, &meanAcceleration_}) {
+  for (vectorField* mean :
+       {&meanU_, &meanGradP_, &meanReaction_, &meanAcceleration_, &meanStress_}) {
     *mean = Zero;
   }
   given_ = Zero;
@@ -232,6 +237,14 @@ void PorousFlow::addInertia(fvVectorMatrix& UEqn, dimensionedScalar const& scale
   if (drag_ && drag_->addedMass) UEqn += (scale * *drag_->addedMass) * *DUDt_;
 }
 
+tmp<fvVectorMatrix> PorousFlow::carried(tmp<fvVectorMatrix> stress,
+                                        dimensionedScalar const& scale) {
+  if (!means_.viscousStress) return stress;
+  stress_ = std::make_unique<fvVectorMatrix>(stress());
+  stressScale_ = scale.value();
+  return eps_() * stress;
+}
+
 tmp<volScalarField> PorousFlow::withAddedMass(tmp<volScalarField> fluid,
                                               dimensionedScalar const& scale) const {
   if (!drag_ || !drag_->addedMass) return fluid;
@@ -287,6 +300,7 @@ void PorousFlow::account() {
     DUDt = *DUDt_ & U_;
     meanAcceleration_ += dt_s * DUDt().primitiveField();
   }
+  if (stress_) meanStress_ -= dt_s / stressScale_ * (*stress_ & U_)().primitiveField();
   if (drag_) {
     vectorField taken(drag_->coefficient.field() * U_.primitiveField() -
                       drag_->velocitySource.field() - drag_->force.field());

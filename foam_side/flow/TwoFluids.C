@@ -55,9 +55,10 @@ void TwoFluids::solveStep() {
 
 tmp<fvVectorMatrix> TwoFluids::momentum(surfaceScalarField const& force) {
   dimensionedScalar const one("one", dimless, 1);
-  volScalarField const mu("(rho*nuEff)", share() * rho_ * mixture_.nu());
-  tmp<fvVectorMatrix> tUEqn((fvm::ddt(eps_, rho_, U_) + fvm::div(rhoF_, U_)) +
-                            (-fvc::div(mu * dev2(T(fvc::grad(U_)))) - fvm::laplacian(mu, U_)));
+  volScalarField const mu("(rho*nuEff)", viscousShare() * rho_ * mixture_.nu());
+  tmp<fvVectorMatrix> tUEqn(
+      (fvm::ddt(eps_, rho_, U_) + fvm::div(rhoF_, U_)) +
+      carried(-fvc::div(mu * dev2(T(fvc::grad(U_)))) - fvm::laplacian(mu, U_), one));
   fvVectorMatrix& UEqn = tUEqn.ref();
   addDrag(UEqn, one);
   addInertia(UEqn, one, "div(rhoPhi,U)");

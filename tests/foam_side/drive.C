@@ -66,6 +66,7 @@ int drive(std::filesystem::path const& directory) {
   bool const two_way = scene.text("coupling.reaction", "two_way") == "two_way";
   bool const stiff = two_way && scene.text("coupling.regime", "mild") == "stiff";
   bool const shares_pressure = scene.text("models.formulation", "A") == "A";
+  bool const shares_stress = scene.flag("models.viscous_force", false);
   bool const moves_along = scene.text("models.virtual_mass", "none") != "none";
   double const window_s = scene.number("coupling.window");
   long const windows = std::lround(scene.number("case.end_time") / window_s);
@@ -118,6 +119,7 @@ int drive(std::filesystem::path const& directory) {
                         : field.name == "mean_velocity"     ? two_way
                         : field.name == "acceleration"      ? moves_along
                         : field.name == "pressure_gradient" ? shares_pressure
+                        : field.name == "viscous_stress"    ? shares_stress
                                                             : true;
       if (kept) {
         engine.sample(field.name, Table::Column(values.data(), values.rows(), values.cols()));

@@ -141,5 +141,32 @@ class Formulations(Verification):
             self.settles(phi)
 
 
+class Channel(Verification):
+    """Plane Poiseuille flow, -dp/dx = G: div(tau) = -G everywhere. Taken after 15 times of its slowest mode."""
+
+    G = 2000.0
+
+    def slope(self, run: Run, column: str) -> float:
+        """Acceleration over the second half of the run."""
+        half = len(run.history["time_s"]) // 2
+        t, v = run.history["time_s"][half:], run.history[column][half:]
+        return (v[-1] - v[0]) / (t[-1] - t[0])
+
+    def drifts(self, *words: str) -> None:
+        """1e-6: the flow's slowest mode is at 1e-7 of its start on average; second differences are
+        exact on a parabola."""
+        rho_s = 1000.0
+        run = self.run_case("channel", *words, force=True)
+        self.near("channel", "acceleration by V div(tau) [m/s2]", self.slope(run, "one_vx_m_s"), -self.G / rho_s,
+                  1e-6, run)
+
+    def test_stress(self) -> None:
+        self.drifts()
+
+    @unittest.skipUnless(FULL, "full verification only")
+    def test_full(self) -> None:
+        self.drifts("--ranks-fluid", "2")
+
+
 if __name__ == "__main__":
     unittest.main()
