@@ -2,6 +2,7 @@
 #include <stdexcept>
 
 #include "FieldSampler.H"
+#include "fvcCurl.H"
 
 namespace slidewave::foam {
 
@@ -11,7 +12,8 @@ namespace {
 
 /// Of the fluid's own motion: shared out by its mass.
 bool isWeighted(std::string const& field) {
-  return field == "velocity" || field == "mean_velocity" || field == "acceleration";
+  return field == "velocity" || field == "mean_velocity" || field == "acceleration" ||
+         field == "vorticity";
 }
 
 std::optional<double> uniformValue(PorousFlow const& flow, std::string const& field) {
@@ -69,6 +71,8 @@ void FieldSampler::put(std::string const& field, int row, ParticleKernel::Fields
     vectors(flow_.meanPressureGradient());
   } else if (field == "acceleration") {
     vectors(flow_.meanAcceleration());
+  } else if (field == "vorticity") {
+    vectors(fvc::curl(flow_.U())());
   } else if (field == "viscous_stress") {
     vectors(flow_.meanViscousStress());
   } else if (field == "drag_reaction") {

@@ -199,11 +199,11 @@ std::vector<Feature> FoamEngine::features() const {
 }
 
 std::vector<Field> FoamEngine::samples() const {
-  return {{"velocity", "m/s", 3},           {"mean_velocity", "m/s", 3},
-          {"density", "kg/m3", 1},          {"viscosity", "Pa s", 1},
-          {"void_fraction", "-", 1},        {"saturation", "-", 1},
-          {"pressure_gradient", "Pa/m", 3}, {"drag_reaction", "Pa/m", 3},
-          {"acceleration", "m/s2", 3},      {"viscous_stress", "Pa/m", 3}};
+  return {
+      {"velocity", "m/s", 3},           {"mean_velocity", "m/s", 3},  {"density", "kg/m3", 1},
+      {"viscosity", "Pa s", 1},         {"void_fraction", "-", 1},    {"saturation", "-", 1},
+      {"pressure_gradient", "Pa/m", 3}, {"drag_reaction", "Pa/m", 3}, {"acceleration", "m/s2", 3},
+      {"viscous_stress", "Pa/m", 3},    {"vorticity", "1/s", 3}};
 }
 
 Home FoamEngine::locate(Vec3 const& position_m, int hint_cell) {

@@ -142,9 +142,11 @@ class Formulations(Verification):
 
 
 class Channel(Verification):
-    """Plane Poiseuille flow, -dp/dx = G: div(tau) = -G everywhere. Taken after 15 times of its slowest mode."""
+    """Plane Poiseuille flow, -dp/dx = G: div(tau) = -G everywhere, curl u = G (h/2 - z)/mu across. Taken
+    after 15 times of its slowest mode."""
 
-    G = 2000.0
+    G, MU, H, RHO, D, Z = 2000.0, 0.01, 0.01, 1.0, 5e-4, 0.00225
+    SPIN = G * (H / 2 - Z) / MU
 
     def slope(self, run: Run, column: str) -> float:
         """Acceleration over the second half of the run."""
@@ -153,15 +155,47 @@ class Channel(Verification):
         return (v[-1] - v[0]) / (t[-1] - t[0])
 
     def drifts(self, *words: str) -> None:
-        """1e-6: the flow's slowest mode is at 1e-7 of its start on average; second differences are
-        exact on a parabola."""
+        """1e-6: the flow's slowest mode is at 1e-7 of its start on average. Spin from the energy; second
+        differences and the curl are exact on a parabola."""
         rho_s = 1000.0
         run = self.run_case("channel", *words, force=True)
         self.near("channel", "acceleration by V div(tau) [m/s2]", self.slope(run, "one_vx_m_s"), -self.G / rho_s,
                   1e-6, run)
+        mass = rho_s * spheres.volume(self.D)
+        energy = run.history["kinetic_energy_J"][-1] - 0.5 * mass * run.history["one_vx_m_s"][-1] ** 2
+        spin = math.sqrt(2 * energy / (mass * self.D**2 / 10))
+        self.near("channel", "spin of the sphere [rad/s]", spin, self.SPIN / 2, 1e-6, run)
 
-    def test_stress(self) -> None:
+    def lifts(self) -> None:
+        """A sphere so heavy that it stays; 1e-5: its own motion, 4e-4 of the slip, turns the lift by as much.
+        The fluid's velocity is read from its cell."""
+        rho_s = 1e6
+        run = self.run_case("channel", models__viscous_force="false", models__torque="none",
+                            models__lift="saffman_mei", parameters__solid_density=rho_s, force=True)
+        u = run.field("U")[2 + 4 * 4, 0]
+        s = math.sqrt(self.MU / self.RHO * self.SPIN) / u
+        mei = 0.3 * (1 + math.tanh(2.5 * (math.log10(s) + 0.191))) * (0.667 + math.tanh(6 * (s - 0.32)))
+        lift = 1.615 * self.D**2 * self.RHO * math.sqrt(self.MU / self.RHO * self.SPIN) * u * mei
+        self.near("channel, lift", "acceleration across [m/s2]", self.slope(run, "one_vz_m_s"),
+                  lift / (rho_s * spheres.volume(self.D)), 1e-5, run)
+
+    def test_stress_and_spin(self) -> None:
         self.drifts()
+
+    def test_lift(self) -> None:
+        self.lifts()
+
+    def test_lift_on_the_fluid(self) -> None:
+        """Two-way: what the particle receives is what the fluid gives, with nothing left for the ledger."""
+        run = self.run_case("channel", models__viscous_force="false", models__torque="none",
+                            models__lift="saffman_mei", coupling__reaction="two_way", coupling__regime="mild",
+                            coupling__smoothing_length=4e-3, parameters__solid_density=1e6,
+                            case__end_time=0.01, output__interval=0.01, force=True)
+        self.budgets_close("channel, lift, two-way", run)
+        received = np.abs(run.history["received_z_kg_m_s"]).sum()
+        self.assertGreater(received, 0)
+        owed = np.abs(run.history["ledger_z_kg_m_s"]).max() / received
+        self.near("channel, lift, two-way", "ledger over what was received", owed, 0, 1e-10, run)
 
     @unittest.skipUnless(FULL, "full verification only")
     def test_full(self) -> None:
