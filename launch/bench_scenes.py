@@ -98,7 +98,7 @@ def write_bed(place: Path, count: int) -> None:
         PROPERTIES.format(n=1, kn="3e9", kt="2.7e9", zero="0", mu="0.577") + _walls(width, PACKAGED, ""))
     (place / "bed.in").write_text(
         "variable law index own\nvariable steps index 0\nvariable dumping index 0\nvariable factor index 1\n"
-        + HEAD.format(boundary="f f f", processors="", data="bed.data", skin=0.2, factor="${factor}") + """
+        + HEAD.format(boundary="f f f", processors="processors * * 1", data="bed.data", skin=0.2, factor="${factor}") + """
 include bed_${law}.in
 fix g all gravity 9.81 vector 0 0 -1
 fix i all nve/sphere
