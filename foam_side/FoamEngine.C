@@ -75,6 +75,27 @@ std::string fullDisk(Scene const& scene) {
   return !unknown && room.available < 65536 ? ": No space left on device" : "";
 }
 
+// Fields of the start are the case's input, even where the solver has bettered them since (p_rgh):
+// as long as this lives they are not written over, so that the run can begin again and be the same.
+class KeptInput {
+ public:
+  explicit KeptInput(fvMesh const& mesh) {
+    for (regIOobject const* object : mesh.lookupClass<regIOobject>()) {
+      if (object->readOpt() == IOobject::MUST_READ && object->writeOpt() == IOobject::AUTO_WRITE) {
+        kept_.push_back(&mesh.lookupObjectRef<regIOobject>(object->name()));
+        kept_.back()->writeOpt() = IOobject::NO_WRITE;
+      }
+    }
+  }
+  ~KeptInput() {
+    for (regIOobject* object : kept_) object->writeOpt() = IOobject::AUTO_WRITE;
+  }
+  KeptInput(KeptInput const&) = delete;
+
+ private:
+  std::vector<regIOobject*> kept_;
+};
+
 }  // namespace
 
 struct FoamEngine::Impl {
@@ -131,6 +152,7 @@ struct FoamEngine::Impl {
         output_interval_s > 0 ? std::lround(std::floor(now_s / output_interval_s + 1e-6)) : 0;
     if (due == outputs && now_s < end_s * (1 - 1e-9)) return;
     outputs = due;
+    std::unique_ptr<KeptInput> const kept(now_s > 0 ? nullptr : new KeptInput(foam.mesh()));
     if (!foam.time().writeNow()) {
       throw std::runtime_error("OpenFOAM: cannot write the fields" + fullDisk(scene));
     }

@@ -112,7 +112,12 @@ class Restart(unittest.TestCase):
         whole = self.whole(SLIDE, "--ranks-fluid", "2", "--ranks-dem", "2")
         rows = results.read_history(whole)
         self.assertGreater(abs(rows["ledger_z_kg_m_s"]).max(), 0, "the ledger is to hold something")
-        self.same(whole, self.again(whole, SLIDE)[0])
+        out, _ = self.again(whole, SLIDE)
+        self.same(whole, out)
+        shutil.rmtree(out / "checkpoints")  # struck before the first: begins again
+        _, text = self.run_case(SLIDE, "again", "--restart")
+        self.assertIn("no complete checkpoint", text)
+        self.same(whole, out)
 
     def test_other_ranks(self):
         whole = self.whole(SPHERE, "--ranks-fluid", "2", "--ranks-dem", "1")
