@@ -123,21 +123,19 @@ void ParticleReport::observe_slide(Table const& particles, double max_overlap,
   auto const velocity = particles["velocity"];
   auto const spin = particles["angular_velocity"];
   auto const radius = particles["radius"];
-  std::array<double, 4> sums{};  // mass, mass times speed, kinetic energy, number
+  std::array<double, 3> sums{};  // mass, mass times speed, kinetic energy
   for (long i = 0; i < particles.size(); ++i) {
     double const inertia = 0.4 * radius(0, i) * radius(0, i);  // of a sphere, per mass
     sums[0] += mass(0, i);
     sums[1] += mass(0, i) * velocity.col(i).norm();
     sums[2] +=
         0.5 * mass(0, i) * (velocity.col(i).squaredNorm() + inertia * spin.col(i).squaredNorm());
-    sums[3] += 1;
   }
-  sum_over_ranks(sums.data(), 4, session_.comm());
+  sum_over_ranks(sums.data(), 3, session_.comm());
   out.push_back({"slide_speed_m_s", sums[0] > 0 ? sums[1] / sums[0] : 0.0});
   out.push_back({"slide_front_x_m", mass_front_x(particles, 0.99, session_.comm())});
   out.push_back({"kinetic_energy_J", sums[2]});
   out.push_back({"max_overlap", max_overlap});
-  out.push_back({"particles", sums[3]});
 }
 
 void ParticleReport::picture(Table const& particles, long window, double time_s) {

@@ -3,7 +3,7 @@
 //
 //   [observe.slide]  type = "slide"      the whole mass: slide_speed_m_s (mass-weighted mean),
 //       slide_front_x_m (99 % of the mass lies at smaller x), kinetic_energy_J (translation and
-//       rotation), max_overlap (pairs, over the smaller diameter), particles
+//       rotation), max_overlap (pairs, over the smaller diameter)
 //   [observe.NAME]   type = "particle"  id = 1   NAME_x_m ... NAME_vz_m_s of one particle
 //   [dem]  overlap_limit                 the run ends above it (default 0.3), warned from 0.1 on
 //   [output]  interval, layers           DIR/dem/particles_<window>.vtk, particles.vtk.series
