@@ -133,6 +133,14 @@ TEST(CellStencil, NothingJumpsAtAFace) {
   }
 }
 
+TEST(CellStencil, CellsThatASplineOnlyTouchesAreLeftOut) {
+  World const world;
+  CellStencil const stencil = latticeStencil(world);
+  CellStencil::Block block;
+  stencil.begin(rows / 2, block);
+  EXPECT_EQ(block.count, 9);
+}
+
 TEST(CellStencil, CentroidGivesAllToItsCell) {
   CellStencil const stencil(5);
   CellStencil::Block block;
