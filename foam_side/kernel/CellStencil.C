@@ -13,14 +13,20 @@ CellStencil::CellStencil(std::vector<CellShape> const& shapes, Vec3 const& perio
 
 void CellStencil::begin(int cell, Block& block) const {
   block.count = isSpline() ? first_[cell + 1] - first_[cell] : 1;
-  if (static_cast<int>(block.columns.size()) < block.count) {
-    block.columns.resize(block.count);
-    block.weights.resize(static_cast<std::size_t>(lanes) * block.count);
+  block.weights.resize(
+      std::max(block.weights.size(), static_cast<std::size_t>(lanes) * block.count));
+  block.room.resize(std::max<std::size_t>(block.room.size(), block.count));
+  block.own = 0;
+  block.room[0] = cell;
+  block.columns = block.room.data();
+  if (!isSpline()) return;
+  int const* const near = near_.data() + first_[cell];
+  block.own = static_cast<int>(std::lower_bound(near, near + block.count, cell) - near);
+  if (static_cast<int>(centres_.size()) == cells_) {  // all are own cells
+    block.columns = near;
+    return;
   }
-  block.columns[0] = cell;
-  for (int k = 0; isSpline() && k < block.count; ++k) {
-    block.columns[k] = column_[near_[first_[cell] + k]];
-  }
+  for (int k = 0; k < block.count; ++k) block.room[k] = column_[near[k]];
 }
 
 void CellStencil::weigh(int cell, int active, double const* points_m, Block& block) const {
@@ -28,10 +34,9 @@ void CellStencil::weigh(int cell, int active, double const* points_m, Block& blo
     std::fill_n(block.weights.begin(), active, 1.0);
     return;
   }
-  int const* const near = near_.data() + first_[cell];
-  int const own = static_cast<int>(std::lower_bound(near, near + block.count, cell) - near);
-  laneLoops().weights(centres_.data(), near, block.count, own, active, points_m,
-                      block.weights.data());
+  auto const weights = upright_ ? laneLoops().uprightWeights : laneLoops().weights;
+  weights(centres_.data(), near_.data() + first_[cell], block.count, block.own, active, points_m,
+          block.weights.data());
 }
 
 void CellStencil::fetch(double* values, int components) const {

@@ -40,26 +40,47 @@ inline Pack spline(Pack square) {
   return 0.5 * outer * outer - 1.5 * inner * inner;
 }
 
+/// Of `packs` packs of points at once: a cell is looked up once, and their roots overlap.
+template <int packs, bool upright>
+void weightsOfPacks(SplineCentre const* centres, int const* near, int count, int own,
+                    double const* points_m, double* weights) {
+  Pack px[packs], py[packs], pz[packs], sum[packs] = {};
+  for (int p = 0; p < packs; ++p) {
+    px[p] = load(points_m + width * p);
+    py[p] = load(points_m + lanes + width * p);
+    pz[p] = load(points_m + 2 * lanes + width * p);
+  }
+  for (int k = 0; k < count; ++k) {
+    double const* const centre = centres[near[k]].centre_m;
+    double const* const m = centres[near[k]].metric;
+    for (int p = 0; p < packs; ++p) {
+      Pack const x = px[p] - centre[0], y = py[p] - centre[1], z = pz[p] - centre[2];
+      Pack square = m[0] * x * x + m[1] * y * y + m[2] * z * z;
+      if (!upright) square = positive(square + x * (m[3] * y + m[4] * z) + m[5] * y * z);
+      Pack const w = spline(square);
+      store(weights + lanes * k + width * p, w);
+      sum[p] += w;
+    }
+  }
+  Pack scale[packs];
+  for (int p = 0; p < packs; ++p) scale[p] = sum[p] < 1e-9 ? none : 1 / sum[p];
+  for (int k = 0; k < count; ++k) {
+    double* const out = weights + lanes * k;
+    for (int p = 0; p < packs; ++p) store(out + width * p, scale[p] * load(out + width * p));
+  }
+  for (int p = 0; p < packs; ++p) {
+    double* const out = weights + lanes * own + width * p;
+    store(out, load(out) + (scale[p] == none ? none + 1 : none));
+  }
+}
+
+template <bool upright>
 void weightsOf(SplineCentre const* centres, int const* near, int count, int own, int active,
                double const* points_m, double* weights) {
-  for (int from = 0; from < active; from += width) {
-    Pack const px = load(points_m + from), py = load(points_m + lanes + from),
-               pz = load(points_m + 2 * lanes + from);
-    double* const out = weights + from;
-    Pack sum = none;
-    for (int k = 0; k < count; ++k) {
-      double const* const centre = centres[near[k]].centre_m;
-      double const* const m = centres[near[k]].metric;
-      Pack const x = px - centre[0], y = py - centre[1], z = pz - centre[2];
-      Pack const w = spline(positive(x * (m[0] * x + m[3] * y + m[4] * z) +
-                                     y * (m[1] * y + m[5] * z) + m[2] * z * z));
-      store(out + lanes * k, w);
-      sum += w;
-    }
-    Pack const scale = sum < 1e-9 ? none : 1 / sum;
-    for (int k = 0; k < count; ++k) store(out + lanes * k, scale * load(out + lanes * k));
-    Pack const all = scale == none ? none + 1 : none;
-    store(out + lanes * own, all + load(out + lanes * own));
+  for (int from = 0; from < active; from += 2 * width) {
+    auto const some =
+        active - from > width ? weightsOfPacks<2, upright> : weightsOfPacks<1, upright>;
+    some(centres, near, count, own, points_m + from, weights + from);
   }
 }
 
@@ -72,24 +93,30 @@ void takeOne(double const* weights, int const* columns, int count, int active, d
   }
 }
 
+/// Four components from `field` on, of `packs` packs of particles.
+template <int packs>
+void takeFour(double const* weights, int const* columns, int count, double const* fields,
+              int components, double* values) {
+  Pack sum[4][packs] = {};
+  for (int k = 0; k < count; ++k) {
+    double const* const field = fields + static_cast<long>(components) * columns[k];
+    for (int p = 0; p < packs; ++p) {
+      Pack const w = load(weights + lanes * k + width * p);
+      for (int c = 0; c < 4; ++c) sum[c][p] += w * field[c];
+    }
+  }
+  for (int c = 0; c < 4; ++c) {
+    for (int p = 0; p < packs; ++p) store(values + lanes * c + width * p, sum[c][p]);
+  }
+}
+
 void takeShares(double const* weights, int const* columns, int count, int active,
                 double const* fields, int components, double* values) {
   if (components == 1) return takeOne(weights, columns, count, active, fields, values);
-  for (int c = 0; c < components; c += 4) {
-    for (int from = 0; from < active; from += width) {
-      Pack a = none, b = none, d = none, e = none;
-      for (int k = 0; k < count; ++k) {
-        double const* const field = fields + static_cast<long>(components) * columns[k] + c;
-        Pack const w = load(weights + lanes * k + from);
-        a += w * field[0];
-        b += w * field[1];
-        d += w * field[2];
-        e += w * field[3];
-      }
-      store(values + lanes * c + from, a);
-      store(values + lanes * (c + 1) + from, b);
-      store(values + lanes * (c + 2) + from, d);
-      store(values + lanes * (c + 3) + from, e);
+  for (int from = 0; from < active; from += 2 * width) {
+    auto const some = active - from > width ? takeFour<2> : takeFour<1>;
+    for (int c = 0; c < components; c += 4) {
+      some(weights + from, columns, count, fields + c, components, values + lanes * c + from);
     }
   }
 }
@@ -108,16 +135,18 @@ void addOne(double const* weights, int const* columns, int count, double const* 
 void addShares(double const* weights, int const* columns, int count, double const* values,
                int components, double* fields) {
   if (components == 1) return addOne(weights, columns, count, values, fields);
-  for (int k = 0; k < count; ++k) {
-    double const* const w = weights + lanes * k;
-    double* const field = fields + static_cast<long>(components) * columns[k];
-    for (int c = 0; c < components; c += width) {
-      Pack even = load(field + c), odd = none;
+  for (int c = 0; c < components; c += width) {
+    Pack value[lanes];
+    for (int l = 0; l < lanes; ++l) value[l] = load(values + components * l + c);
+    for (int k = 0; k < count; ++k) {
+      double const* const w = weights + lanes * k;
+      double* const field = fields + static_cast<long>(components) * columns[k] + c;
+      Pack even = load(field), odd = none;
       for (int l = 0; l < lanes; l += 2) {
-        even += w[l] * load(values + components * l + c);
-        odd += w[l + 1] * load(values + components * (l + 1) + c);
+        even += w[l] * value[l];
+        odd += w[l + 1] * value[l + 1];
       }
-      store(field + c, even + odd);
+      store(field, even + odd);
     }
   }
 }
@@ -133,26 +162,36 @@ void pullOne(Pull const* pulls, int const* first, int cells, double const* from,
   }
 }
 
+/// Of 4 x fours components from `from` on.
+template <int fours>
+void pullFours(Pull const* pulls, int const* first, int cells, double const* from, long components,
+               double* to) {
+  constexpr int packs = fours * 4 / width;
+  for (int cell = 0; cell < cells; ++cell) {
+    Pack here[packs], sum[packs];
+    for (int p = 0; p < packs; ++p) sum[p] = here[p] = load(from + components * cell + width * p);
+    for (int k = first[cell]; k < first[cell + 1]; ++k) {
+      double const* const other = from + components * pulls[k].column;
+      for (int p = 0; p < packs; ++p)
+        sum[p] += pulls[k].share * (load(other + width * p) - here[p]);
+    }
+    for (int p = 0; p < packs; ++p) store(to + components * cell + width * p, sum[p]);
+  }
+}
+
 void pullStep(Pull const* pulls, int const* first, int cells, double const* from, int components,
               double* to) {
   if (components == 1) return pullOne(pulls, first, cells, from, to);
-  for (int cell = 0; cell < cells; ++cell) {
-    long const row = static_cast<long>(components) * cell;
-    for (int c = 0; c < components; c += width) {
-      Pack const here = load(from + row + c);
-      Pack sum = here;
-      for (int k = first[cell]; k < first[cell + 1]; ++k) {
-        long const other = static_cast<long>(components) * pulls[k].column;
-        sum += pulls[k].share * (load(from + other + c) - here);
-      }
-      store(to + row + c, sum);
-    }
+  for (int c = 0; c < components; c += 12) {
+    int const left = components - c;
+    auto const some = left == 4 ? pullFours<1> : left == 8 ? pullFours<2> : pullFours<3>;
+    some(pulls, first, cells, from + c, components, to + c);
   }
 }
 
 }  // namespace
 
 extern LaneLoops const loops;
-LaneLoops const loops{weightsOf, takeShares, addShares, pullStep};
+LaneLoops const loops{weightsOf<false>, weightsOf<true>, takeShares, addShares, pullStep};
 
 }  // namespace slidewave::foam::SLIDEWAVE_LANES

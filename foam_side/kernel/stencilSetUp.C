@@ -55,10 +55,15 @@ std::vector<Vec3> shifts(Vec3 const& period_m) {
 }  // namespace
 
 void CellStencil::addCentre(Vec3 const& centre_m, Eigen::Matrix3d const& metric, int column) {
-  centres_.push_back({{centre_m[0], centre_m[1], centre_m[2]},
-                      {metric(0, 0), metric(1, 1), metric(2, 2), 2 * metric(0, 1), 2 * metric(0, 2),
-                       2 * metric(1, 2)}});
+  auto const tilt = [&](int i, int j) {  // or 0 where it is round-off
+    double const twice = 2 * metric(i, j);
+    return std::abs(twice) < 1e-14 * std::sqrt(metric(i, i) * metric(j, j)) ? 0 : twice;
+  };
+  centres_.push_back(
+      {{centre_m[0], centre_m[1], centre_m[2]},
+       {metric(0, 0), metric(1, 1), metric(2, 2), tilt(0, 1), tilt(0, 2), tilt(1, 2)}});
   column_.push_back(column);
+  upright_ = upright_ && tilt(0, 1) == 0 && tilt(0, 2) == 0 && tilt(1, 2) == 0;
 }
 
 // Own cells first, then periodic images of own cells, then those of other ranks.

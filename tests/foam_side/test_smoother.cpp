@@ -1,6 +1,7 @@
 // The kernel on a made-up mesh: conservation, self-adjointness, width, transpose, bounding.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "ParticleKernel.H"
@@ -162,28 +163,78 @@ TEST(ParticleKernel, ManyAtOnceAreAsOneByOne) {
   EXPECT_NEAR(density.sum(), amounts.sum(), 1e-11);
 }
 
-/// Both sets of instructions do the same, to round-off.
-TEST(LaneLoops, FastOnesAreTheSame) {
-  std::mt19937 random(9);
-  std::uniform_real_distribution<double> uniform(0, 1);
+struct LaneLoopsOf27Cells : testing::TestWithParam<int> {
+  int const components = GetParam();
   std::vector<SplineCentre> centres;
   std::vector<int> near;
-  for (int k = 0; k < 27; ++k) {
-    centres.push_back({{k % 3 - 0.5, k / 3 % 3 - 0.5, k / 9 - 0.5}, {1, 0.8, 1.2, 0.1, 0, 0.2}});
-    near.push_back(k);
+  std::mt19937 random{9};
+  std::vector<double> numbers(int count) {
+    std::vector<double> list(count);
+    std::uniform_real_distribution<double> uniform(0, 1);
+    for (double& x : list) x = uniform(random);
+    return list;
   }
-  double points[3 * lanes];
-  for (double& x : points) x = uniform(random);
-  points[lanes - 1] = 90;  // far away: all to its own cell
-  std::vector<double> weights[2];
+  LaneLoopsOf27Cells() {
+    for (int k = 0; k < 27; ++k) {
+      centres.push_back({{k % 3 - 0.5, k / 3 % 3 - 0.5, k / 9 - 0.5}, {1, 0.8, 1.2, 0.1, 0, 0.2}});
+      near.push_back(k);
+    }
+  }
+  static void expectSame(std::vector<double> const& a, std::vector<double> const& b) {
+    for (std::size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i], b[i], 1e-14);
+  }
+};
+
+/// Both sets of instructions do the same, to round-off.
+TEST_P(LaneLoopsOf27Cells, FastOnesAreTheSame) {
+  int const active = 5;
+  auto points = numbers(3 * lanes);
+  points[active - 1] = 90;  // far away: all to its own cell
+  auto const fields = numbers(components * 27);
+  auto values = numbers(components * lanes);
+  std::fill(values.begin() + components * active, values.end(), 0.0);
+  std::vector<Pull> const pulls{{3, 0.1}, {1, 0.2}, {4, 0.1}, {2, 0.3}};
+  std::vector<int> const first{0, 1, 4};
+  std::vector<double> weights[2], taken[2], added[2], pulled[2];
   for (int way = 0; way < 2; ++way) {
-    weights[way].resize(27 * lanes);
     auto const& loops = way == 0 ? plainLoops() : laneLoops();
-    loops.weights(centres.data(), near.data(), 27, 13, lanes, points, weights[way].data());
+    weights[way].resize(27 * lanes);
+    taken[way].resize(components * lanes);
+    added[way] = fields;
+    pulled[way].resize(components * 2);
+    loops.weights(centres.data(), near.data(), 27, 13, active, points.data(), weights[way].data());
+    loops.take(weights[way].data(), near.data(), 27, active, fields.data(), components,
+               taken[way].data());
+    loops.add(weights[way].data(), near.data(), 27, values.data(), components, added[way].data());
+    loops.pull(pulls.data(), first.data(), 2, fields.data(), components, pulled[way].data());
+    for (int c = 0; c < components; ++c) {  // what lanes beyond the active ones hold is free
+      for (int l = active; l < lanes; ++l) taken[way][lanes * c + l] = 0;
+    }
   }
-  for (int k = 0; k < 27 * lanes; ++k) EXPECT_NEAR(weights[0][k], weights[1][k], 1e-15);
-  for (int k = 0; k < 27; ++k) EXPECT_EQ(weights[1][lanes * k + lanes - 1], k == 13 ? 1 : 0);
+  expectSame(taken[0], taken[1]);
+  expectSame(added[0], added[1]);
+  expectSame(pulled[0], pulled[1]);
+  for (int k = 0; k < 27; ++k) {
+    for (int l = 0; l < active; ++l) {
+      EXPECT_NEAR(weights[0][lanes * k + l], weights[1][lanes * k + l], 1e-15);
+    }
+    EXPECT_EQ(weights[1][lanes * k + active - 1], k == 13 ? 1 : 0);
+  }
 }
+
+TEST_P(LaneLoopsOf27Cells, UprightWeightsAreTheSameWhereNothingIsTilted) {
+  for (SplineCentre& centre : centres) std::fill_n(centre.metric + 3, 3, 0.0);
+  auto const points = numbers(3 * lanes);
+  std::vector<double> general(27 * lanes), upright(27 * lanes);
+  for (LaneLoops const* loops : {&plainLoops(), &laneLoops()}) {
+    loops->weights(centres.data(), near.data(), 27, 13, lanes, points.data(), general.data());
+    loops->uprightWeights(centres.data(), near.data(), 27, 13, lanes, points.data(),
+                          upright.data());
+    expectSame(general, upright);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Components, LaneLoopsOf27Cells, testing::Values(1, 4, 8, 12, 16, 24));
 
 TEST(SolidFraction, KeepsTheVolumeWhenItIsBounded) {
   ParticleKernel kernel = centroidKernel(row(30), 1.5);
