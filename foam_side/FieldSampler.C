@@ -38,6 +38,7 @@ void FieldSampler::weigh() {
     forAll(eps, cell) weight_[cell] = density()[cell] * eps[cell];
   }
   weighed_ = true;
+  steps_ = flow_.steps();
 }
 
 void FieldSampler::weighParticles() {
@@ -82,41 +83,58 @@ void FieldSampler::put(std::string const& field, int row, ParticleKernel::Fields
   }
 }
 
-void FieldSampler::sample(std::vector<Sample> const& samples) {
-  weigh();
+// Fields that need no rows of their own: constants, the mean over a single step, and the void
+// fraction of one fluid while the weights are made of it.
+int FieldSampler::plan(std::vector<Sample> const& samples) {
+  UniformFluid const* const fluid = flow_.uniformFluid();
+  bool const weightTells = fluid && !at_particles_ && steps_ == flow_.steps();
+  bool const oneStep = flow_.steps() == steps_ + 1;
+  int rows = at_particles_ ? 0 : 1, velocityRow = -1;
   targets_.clear();
-  weight_at_particles_.resize(kernel_.particles());
-  if (!at_particles_) targets_.push_back({weight_at_particles_.data(), 1, false});
   for (Sample const& sample : samples) {
     Table::Column out = sample.out;
     if (auto const value = uniformValue(flow_, sample.field)) {
       out.setConstant(*value);
       continue;
     }
-    for (long d = 0; d < out.rows(); ++d) {
-      targets_.push_back({out.data() + d, out.rows(), isWeighted(sample.field)});
+    Target target{out.data(), static_cast<int>(out.rows()), rows,
+                  1,          isWeighted(sample.field),     &sample.field};
+    if (sample.field == "velocity" || sample.field == "mean_velocity") {
+      if (oneStep && velocityRow >= 0) {
+        target.row = velocityRow;
+        target.field = nullptr;
+      }
+      velocityRow = target.row;
+    } else if (weightTells && sample.field == "void_fraction") {
+      target.row = 0;
+      target.factor = 1 / fluid->density_kg_m3;
+      target.field = nullptr;
     }
+    if (target.field) rows += target.components;
+    targets_.push_back(target);
   }
-  int const count = static_cast<int>(targets_.size());
-  if (count == 0) return;
-  ParticleKernel::Fields fields = kernel_.fields(count);
-  int row = 0;
-  if (!at_particles_) {
-    for (long cell = 0; cell < fields.cols(); ++cell) fields(0, cell) = weight_[cell];
-    ++row;
-  }
-  for (Sample const& sample : samples) {
-    if (uniformValue(flow_, sample.field)) continue;
-    put(sample.field, row, fields);
-    row += static_cast<int>(sample.out.rows());
-  }
+  return rows;
+}
+
+void FieldSampler::sample(std::vector<Sample> const& samples) {
+  weigh();
+  share_at_particles_.resize(kernel_.particles());
+  int const rows = plan(samples);
+  if (rows == 0) return;
+  ParticleKernel::Fields fields = kernel_.fields(rows);
   bool const known = at_particles_;
+  for (long cell = 0; !known && cell < fields.cols(); ++cell) fields(0, cell) = weight_[cell];
+  for (Target const& target : targets_) {
+    if (target.field) put(*target.field, target.row, fields);
+  }
   kernel_.gather([&](int particle, double const* values, int stride) {
-    double const weight = known ? weight_at_particles_[particle] : values[0];
-    for (int k = 0; k < count; ++k) {
-      Target const& target = targets_[k];
-      double const value = values[k * stride];
-      target.values[target.step * particle] = target.weighted ? value / weight : value;
+    double& share = share_at_particles_[particle];
+    if (!known) share = 1 / values[0];
+    for (Target const& target : targets_) {
+      double const factor = target.weighted ? share : target.factor;
+      double* const out = target.values + static_cast<long>(target.components) * particle;
+      double const* const in = values + target.row * stride;
+      for (int d = 0; d < target.components; ++d) out[d] = factor * in[d * stride];
     }
   });
   at_particles_ = true;

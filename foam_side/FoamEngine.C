@@ -258,7 +258,7 @@ void FoamEngine::exchange(Table::ConstColumn drag_kg_s, Table::ConstColumn veloc
   self.sampler.weighParticles();
   // Shares of a particle's drag: q = K / T(rho eps), so that the cells' total is K (u_f - v).
   auto const density = self.kernel.spread(self.moves_along ? 8 : 7, [&](int i, double* out) {
-    double const share = 1 / self.sampler.particleWeight(i), drag = drag_kg_s(0, i) * share;
+    double const share = self.sampler.particleShare(i), drag = drag_kg_s(0, i) * share;
     out[0] = drag;
     for (int d = 0; d < 3; ++d) out[1 + d] = drag * velocity_m_s(d, i);
     for (int d = 0; d < 3; ++d) out[4 + d] = share * force_N(d, i);
