@@ -24,6 +24,7 @@ class Scene:
     density: float = 2650.0
     walls: tuple[str, ...] = ("zplane", "xplane")
     gravity: float = 9.81
+    slope_deg: float = 0.0  # of the floor, downwards in x
     velocities: list[str] = field(default_factory=list)  # "ID vx vy vz"
 
     def data(self) -> str:
@@ -61,7 +62,8 @@ class Scene:
             f"boundary {self.boundary}", "newton off",
             "communicate single vel yes" if ours else "comm_modify vel yes", "read_data spheres.data",
             f"neighbor {0.2 * largest:g} bin", "neigh_modify delay 0", *pair, *walls, *moves,
-            f"fix weight all gravity {self.gravity} vector 0 0 -1", "fix motion all nve/sphere",
+            f"fix weight all gravity {self.gravity} vector {np.sin(np.radians(self.slope_deg)):.17g} 0 "
+            f"{-np.cos(np.radians(self.slope_deg)):.17g}", "fix motion all nve/sphere",
             "timestep 1e-4"]) + "\n"
 
 
@@ -72,6 +74,13 @@ def column(seed: int, nx: int = 8, ny: int = 4, nz: int = 12, d: float = 0.1) ->
     x, y, z = (0.55 * d + 1.06 * d * n.ravel() + 0.02 * d * random.uniform(-1, 1, n.size) for n in (i, j, k))
     size = d * random.uniform(0.9, 1.0, x.size)
     return Scene(np.stack([x, y, z, size], axis=1), (60 * d, 1.06 * d * ny, 2 * nz * d))
+
+
+def slide(seed: int) -> Scene:
+    """A heap let go on a rough slope of 25 degrees."""
+    heap = column(seed, 12, 4, 8)
+    heap.slope_deg = 25.0
+    return heap
 
 
 def bounces() -> Scene:
