@@ -48,7 +48,8 @@ def measure(options: argparse.Namespace) -> dict[str, object]:
 
 def _two_ranks(place: Path, repeats: int, steps: int = 1500) -> dict[str, float]:
     """How much faster two ranks go through the bed than one, our law. Wall time of the loop: it means
-    something where two cores are free; `two_rank_cores` are the cores that the two ranks got."""
+    something where two cores are free; `two_rank_cores` are the cores that the two ranks got,
+    `two_rank_balance` the larger share of the spheres over the mean."""
     speedups, cores = [], []
     for number in range(repeats):
         loop_s = {}
@@ -61,7 +62,9 @@ def _two_ranks(place: Path, repeats: int, steps: int = 1500) -> dict[str, float]
         cores.append((after.children_user - before.children_user) / wall_s)
         speedups.append(loop_s[1] / loop_s[2])
         say(f"bed on two ranks, pair {number + 1}: {speedups[-1]:.2f} times one ({cores[-1]:.2f} cores)")
-    return {"ratio_two_ranks": statistics.median(speedups), "two_rank_cores": statistics.median(cores)}
+    mean, most = map(float, re.findall(r"Nlocal: +(\S+) ave (\S+) max", text)[-1])
+    return {"ratio_two_ranks": statistics.median(speedups), "two_rank_cores": statistics.median(cores),
+            "two_rank_balance": most / mean}
 
 
 def _slide(place: Path, repeats: int) -> dict[str, float]:
