@@ -1,4 +1,4 @@
-"""Free surface: spheres that drop into water, still water in a bed, and a standing wave."""
+"""Free surface: spheres that drop into water, still water in a bed, buoyancy of grains, a standing wave."""
 
 import math
 import os
@@ -7,6 +7,7 @@ import unittest
 import numpy as np
 from scipy.optimize import curve_fit
 
+from launch import vtk_file
 from tests.cases.verification import spheres
 from tests.cases.verification.runs import Verification
 
@@ -67,6 +68,37 @@ class StillBed(Verification):
     def test_full(self) -> None:
         self.stays(30, "stiff")
         self.stays(8, "mild")
+
+
+class SurfaceGrains(Verification):
+    """Grains at rest through a surface, buoyancy over the water's from their first moment: 1 % beyond either
+    fluid's at most. The rest is the pressure's solver, 1e-6; two-way the grains in air, a fraction of 0.005 there,
+    fall meanwhile and speed it up by as much of g: 6e-6. Sum F dz says where the surface is felt: 0.01 of a cell."""
+
+    def climbs(self, reaction: str, tolerance: float) -> None:
+        g, end, ratio, cell, depth = 9.81, 5e-4, 1.2e-3, 1.2e-3, 0.024
+        run = self.run_case("surface_grains", coupling__reaction=reaction)
+        case = f"surface_grains, {reaction}"
+        points = vtk_file.read_points(max(run.directory.glob("dem/particles_*.vtk"), key=lambda p: p.stat().st_mtime))
+        order = np.argsort(points.positions[:, 2])
+        z, force = points.positions[order, 2], 1 + points.data["velocity"][order, 2] / (g * end)
+        low, high = (1 + run.history[f"{n}_vz_m_s"][-1] / (g * end) for n in ("lowest", "highest"))
+        self.assertEqual(len(z), 55)
+        self.near(case, "buoyancy deep in water", low, 1, tolerance, run)
+        self.near(case, "buoyancy high in air", high, ratio, 0.01, run)
+        self.near(case, "largest rise of buoyancy from a grain to the next above", max(0.0, np.diff(force).max()), 0,
+                  tolerance, run)
+        self.near(case, "beyond water's or air's", max(0.0, force.max() - 1, ratio - force.min()), 0, 0.01 * ratio,
+                  run)
+        share = np.sum((force[1:] + force[:-1] - 2 * ratio) / 2 * np.diff(z)) / (1 - ratio)
+        self.near(case, "surface that the grains feel, cells from the water's", (z[0] + share - depth) / cell, 0,
+                  0.01, run)
+
+    def test_one_way(self) -> None:
+        self.climbs("one_way", 1e-6)
+
+    def test_two_way(self) -> None:
+        self.climbs("two_way", 1e-5)
 
 
 class StandingWave(Verification):
