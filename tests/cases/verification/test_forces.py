@@ -202,5 +202,23 @@ class Channel(Verification):
         self.drifts("--ranks-fluid", "2")
 
 
+class ShearBox(Verification):
+    """Lift of a grain in a periodic box: the fluid across gains the impulse that the grain gains, reversed. 2e-6: a
+    window of a hundred of the pressure's share, 2e-4; the impulse against Saffman and Mei 1e-3: that share, and the
+    grain's drift through the shear, 1e-4."""
+
+    def test_impulse(self) -> None:
+        d, cell, rho, rho_s, nu, shear, slip, end = 1e-4, 1e-3, 1000.0, 1e7, 1e-6, 10.0, 0.005, 0.1
+        run = self.run_case("shear_box")
+        s = math.sqrt(nu * shear) / slip
+        mei = 0.3 * (1 + math.tanh(2.5 * (math.log10(s) + 0.191))) * (0.667 + math.tanh(6 * (s - 0.32)))
+        impulse = -1.615 * d**2 * rho * math.sqrt(nu * shear) * slip * mei * end
+        gained = rho_s * spheres.volume(d) * run.history["one_vz_m_s"][-1]
+        fluid = rho * cell**3 * (run.field("eps") * run.field("U")[:, 2]).sum()
+        self.near("shear_box", "impulse of the lift [N s]", gained, impulse, 1e-3, run)
+        self.near("shear_box", "momentum of the fluid across [N s]", fluid, -gained, 2e-6, run)
+        self.budgets_close("shear_box", run)
+
+
 if __name__ == "__main__":
     unittest.main()
