@@ -76,5 +76,34 @@ class Batch(Verification):
         self.settles(0.55, 120)
 
 
+class TrappedWater(Verification):
+    """A loose soil under water compacts. At first the water carries its whole submerged weight, 3 % as above; in the
+    end none of it, 0.1 %: creep. It is borne until the top, which falls at the speed of hindered settling, comes to
+    rest: 5 %, for the front's 3 % and the last layer. Level and water stay, to the solver."""
+
+    def test_submerged_weight(self) -> None:
+        spacing, layers, cells, depth, d, mu, g, loose = 1.2395e-3, 20, 30, 0.029748, 1e-3, 5e-3, 9.81, 0.55
+        run = self.run_case("trapped_water")
+        area, volume = (5 * spacing) ** 2, spheres.volume(d)
+        weight = 1650 * g * run.summary["particles"] * volume / area
+        time, base, top = run.probe("p").T
+        still = 1000 * g * (depth - spacing / 2) + 1.2 * g * (cells * spacing - spacing / 2 - depth)
+        excess = (base - top - still) / weight
+        case = "trapped_water"
+        self.assertEqual(run.summary["particles"], 1000)
+        first = excess[(time > 0.01) & (time < 0.02)].mean()
+        self.near(case, "excess pressure at the base at first, over the submerged weight", first, 1, 0.03, run)
+        self.near(case, "excess pressure at the base in the end, over the submerged weight", excess[-1], 0, 1e-3, run)
+        dense = 1 - run.field("eps")[3:10].mean()
+        push = (1 - loose) * 1650 * g * volume
+        slip = brentq(lambda s: spheres.di_felice(1 - loose, s, d, 1000.0, mu) * s - push, 0, 10)
+        rest = layers * spacing * (1 - loose / dense) / ((1 - loose) * slip)
+        self.near(case, "time until a twentieth of it is left [s]", time[excess > 0.05][-1], rest, 0.05, run)
+        level = run.history["gauge_level_m"]
+        self.near(case, "change of the level over the depth", np.abs(level - depth).max() / depth, 0, 1e-6, run)
+        self.near(case, "water volume defect", run.history["water_volume_defect"].max(), 0, 1e-6, run)
+        self.budgets_close(case, run)
+
+
 if __name__ == "__main__":
     unittest.main()
