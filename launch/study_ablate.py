@@ -6,8 +6,8 @@ from launch import schema
 from launch.case import Case
 from launch.study_points import Point
 
-# Name, key, value that turns it off. A term counts where slidewave knows the key (for parameters:
-# where the case has it) and the case does not already leave it out.
+# Name, key, value that turns it off, or what becomes of the case's value. A term counts where slidewave
+# knows the key (for parameters: where the case has it) and the case does not already leave it out.
 TERMS: tuple[tuple[str, str, object], ...] = (
     ("drag", "models.drag", "none"),
     ("pressure-gradient force", "models.pressure_gradient", False),
@@ -21,6 +21,8 @@ TERMS: tuple[tuple[str, str, object], ...] = (
     ("surface tension", "parameters.surface_tension", 0),
     ("contact damping", "parameters.damping", 0),
     ("rolling resistance", "parameters.rolling_friction", 0),
+    ("rolling resistance", "parameters.rolling_shape", 0),
+    ("nine tenths of the air's mass", "parameters.air_density", lambda density: density / 10),
 )
 BASE = "as it is"
 
@@ -28,7 +30,8 @@ BASE = "as it is"
 def points(case: Case) -> list[Point]:
     """The case as it is, then one point for each term that it has, without that term."""
     found = [Point((), BASE)]
-    for name, key, off in TERMS:
+    for name, key, value in TERMS:
+        off = value(case.get(key)) if callable(value) and case.get(key) is not None else value
         if key.startswith("parameters."):
             present = case.get(key) is not None
         else:

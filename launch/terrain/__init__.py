@@ -11,15 +11,15 @@
     pack_fraction  solid fraction of the packing before it settles, default 0.59
     seed           of the random packing, default 1
 
-Files written: fluid/constant/polyMesh, the lake in fluid/0/alpha.water, dem/wall.stl and
-dem/slide.data.
+Files written: fluid/constant/polyMesh, the lake in fluid/0/alpha.water, dem/wall.stl,
+for LAMMPS dem/wall.in too, and dem/slide.data.
 """
 
 from pathlib import Path
 
 from launch.errors import InputError
 
-from . import files, mesh, slide
+from . import files, half_spaces, mesh, slide
 from .profile import Section, read_section
 
 # Names of [parameters] that the geometry is made from, besides the scripts that use them.
@@ -44,6 +44,8 @@ def prepare(case, run_dir: Path, say) -> None:
         say(f"  fluid mesh     {columns.cells} cells in {len(columns.low)} columns")
     # Wider than the period: the triangles' rims then touch no particle.
     files.write_wall_stl(section, dem / "wall.stl", -0.5 * width, 1.5 * width, longest=4.0 * width)
+    if case.get("dem.engine") == "lammps":
+        half_spaces.write(section.wall, dem / "wall.in")
     slide.make(case, section, width, dem, say)
 
 
