@@ -26,9 +26,9 @@ def front(costs: list[float], errors: list[float]) -> list[int]:
 
 
 def mark_front(rows: list[Row]) -> None:
-    """Sets on_front by wall time and the largest error."""
+    """Sets on_front by the time that counts and the largest error."""
     taken = [row for row in rows if row.counts]
-    for index in front([r.wall_s for r in taken], [r.worst for r in taken]):
+    for index in front([r.time_s for r in taken], [r.worst for r in taken]):
         taken[index].on_front = True
 
 
@@ -115,15 +115,17 @@ def sentence(rows: list[Row], wanted: float, name: str = "") -> str:
         return f"{start}no run can be judged: none is complete besides the reference"
     good = [row for row in taken if row.worst + row.floor <= wanted * (1 + 1e-9)]
     if good:
-        row = min(good, key=lambda r: (r.wall_s, r.worst))
+        row = min(good, key=lambda r: (r.time_s, r.worst))
         return (f"{start}for an error of {100 * wanted:.3g} % use {row.point.label}, "
                 f"it takes {_time(row)} (error {100 * row.worst:.2g} %)")
-    row = min(taken, key=lambda r: (r.worst, r.wall_s))
+    row = min(taken, key=lambda r: (r.worst, r.time_s))
     return (f"{start}no run reaches an error of {100 * wanted:.3g} %; the nearest is {row.point.label} "
             f"with {100 * row.worst:.2g} %, it takes {_time(row)}")
 
 
 def _time(row: Row) -> str:
-    noise = f" +- {row.wall_spread_s / 2:.2g} s" if row.wall_spread_s else ""
-    short = f"{row.wall_s:.2g} s" if row.wall_s < 10 else duration(row.wall_s)
+    noise = f" +- {row.time_spread_s / 2:.2g} s" if row.time_spread_s else ""
+    short = f"{row.time_s:.2g} s" if row.time_s < 10 else duration(row.time_s)
+    if row.by == "processor":
+        return f"{short}{noise} of processor time"
     return f"{short}{noise}, {row.core_s:.3g} core seconds"

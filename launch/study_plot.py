@@ -34,7 +34,8 @@ def write(path: Path, title: str, groups: dict[str, list[Row]], quantities: list
             axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
             axis.set_major_formatter(FormatStrFormatter("%g"))
             axis.set_minor_formatter(NullFormatter())
-        axes.set_xlabel("run time [s]", fontsize=8)
+        by = next((row.by for rows in groups.values() for row in rows), "wall")
+        axes.set_xlabel("run time [s]" if by == "wall" else "processor time [s]", fontsize=8)
         axes.set_ylabel(f"error of {quantity.name} [-]", fontsize=8)
         axes.tick_params(labelsize=7, which="both")
         axes.grid(alpha=0.3)
@@ -51,9 +52,9 @@ def _draw(axes, rows: list[Row], quantity: str, name: str, index: int, all_label
     if not taken:
         return
     colour = COLOURS[index % len(COLOURS)]
-    costs = [max(row.wall_s, 1e-3) for row in taken]
+    costs = [max(row.time_s, 1e-3) for row in taken]
     errors = [max(row.errors[quantity], SMALLEST) for row in taken]
-    spread = [row.wall_spread_s / 2 for row in taken]
+    spread = [row.time_spread_s / 2 for row in taken]
     axes.errorbar(costs, errors, xerr=spread if any(spread) else None, fmt=MARKERS[index % len(MARKERS)],
                   color=colour, markersize=4, elinewidth=0.7, label=name or None)
     best = front(costs, errors)

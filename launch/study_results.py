@@ -13,7 +13,8 @@ from launch.study_quantities import History, Quantity, Reference
 
 @dataclass
 class Row:
-    """A point after its runs. Times are medians over the repeats, spreads largest minus smallest;
+    """A point after its runs. Times are medians over the repeats, spreads largest minus smallest; `by`:
+    which of them counts, wall time or the processor time that all ranks worked (waiting left out);
     `errors` and `values` by quantity name; `worst` is the largest error of all quantities; `floor` the
     error of the reference itself, where that is a run (0: not known, or none)."""
 
@@ -26,6 +27,9 @@ class Row:
     wall_s: float = 0.0
     wall_spread_s: float = 0.0
     core_s: float = 0.0
+    processor_s: float = 0.0
+    processor_spread_s: float = 0.0
+    by: str = "wall"
     values: dict[str, float] = field(default_factory=dict)
     references: dict[str, float] = field(default_factory=dict)
     errors: dict[str, float] = field(default_factory=dict)
@@ -37,6 +41,16 @@ class Row:
     @property
     def completed(self) -> bool:
         return self.status == "completed"
+
+    @property
+    def time_s(self) -> float:
+        """The time that counts."""
+        return self.processor_s if self.by == "processor" else self.wall_s
+
+    @property
+    def time_spread_s(self) -> float:
+        """Its spread over the repeats."""
+        return self.processor_spread_s if self.by == "processor" else self.wall_spread_s
 
     @property
     def counts(self) -> bool:
@@ -63,9 +77,18 @@ def read(point: Point, directories: list[Path], quantities: list[Quantity], reas
         row.values[quantity.name] = statistics.median(found)
     walls = [float(s.get("wall_s") or s.get("total_s") or 0) for s in row.summaries]
     row.wall_s, row.wall_spread_s = statistics.median(walls), max(walls) - min(walls)
+    worked = [worked_s(s) for s in row.summaries]
+    row.processor_s, row.processor_spread_s = statistics.median(worked), max(worked) - min(worked)
     row.core_s = statistics.median(float(s.get("core_s") or 0) for s in row.summaries)
     row.status = "completed"
     return row
+
+
+def worked_s(summary: dict) -> float:
+    """Processor seconds of all ranks without what they waited for each other."""
+    ranks = summary.get("ranks") or {}
+    return sum(ranks.get(side, 0) * sum(s for phase, s in phases.items() if phase != "wait")
+               for side, phases in (summary.get("processor_timings") or {}).items())
 
 
 def best(rows: list[Row], listed_last_is_finest: bool) -> Row | None:
@@ -73,7 +96,7 @@ def best(rows: list[Row], listed_last_is_finest: bool) -> Row | None:
     done = [row for row in rows if row.completed]
     if listed_last_is_finest and rows and rows[-1].completed:
         return rows[-1]
-    return max(done, key=lambda row: (row.core_s, row.wall_s), default=None)
+    return max(done, key=lambda row: (row.core_s, row.time_s), default=None)
 
 
 def compare(rows: list[Row], quantities: list[Quantity], reference: Reference) -> None:

@@ -28,6 +28,7 @@ class Plan:
     jobs: dict[Point, list[study_runner.Job]]
     refused: dict[Point, str]
     grid: bool  # the last point is the finest as listed
+    time: str = "wall"  # or processor
 
 
 def plan(options: argparse.Namespace) -> Plan:
@@ -59,7 +60,7 @@ def plan(options: argparse.Namespace) -> Plan:
         raise InputError(case.file, "--vary", None, "no point can run; the first: "
                                                     + next(iter(refused.values())))
     return Plan(case, out, points, quantities, reference, options.group or "", jobs, refused,
-                not options.list)
+                not options.list, options.time)
 
 
 def _points(options: argparse.Namespace, case: Case) -> list[Point]:

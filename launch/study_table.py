@@ -18,7 +18,8 @@ def header(rows: list[Row], quantities: list[Quantity]) -> list[str]:
     for quantity in quantities:
         unit = f" [{quantity.unit}]" if quantity.unit not in ("", "-") else ""
         names += [quantity.name + unit, f"{quantity.name} reference", f"{quantity.name} error"]
-    return names + ["error", "is_reference", "on_front", "wall_s", "wall_spread_s", "core_s", "repeats",
+    return names + ["error", "is_reference", "on_front", "wall_s", "wall_spread_s", "core_s", "processor_s",
+                    "repeats",
                     *COUNTS, *_budgets(rows), "version", "reason"]
 
 
@@ -34,7 +35,7 @@ def cells(row: Row, rows: list[Row], quantities: list[Quantity]) -> list[str]:
                   _text(row.errors.get(quantity.name))]
     texts += [_text(row.worst), str(int(row.is_reference)), str(int(row.on_front))]
     summary = row.summaries[0] if row.completed else {}
-    times = (row.wall_s, row.wall_spread_s, row.core_s) if row.completed else (None,) * 3
+    times = (row.wall_s, row.wall_spread_s, row.core_s, row.processor_s) if row.completed else (None,) * 4
     budgets = summary.get("budgets") or {}
     texts += [*("" if t is None else f"{t:.3f}" for t in times), str(len(row.directories))]
     texts += [_text(summary.get(name)) for name in COUNTS]
@@ -55,7 +56,7 @@ def write(path: Path, rows: list[Row], quantities: list[Quantity]) -> None:
 def lines(rows: list[Row]) -> list[str]:
     """The table for the terminal: settings, error, time; a star for the front."""
     width = max([8, *(len(row.point.label) for row in rows)])
-    found = [f"  {'settings':<{width}}      error   wall [s]   core [s]"]
+    found = [f"  {'settings':<{width}}      error   wall [s]   core [s]  worked [s]"]
     for row in rows:
         if not row.completed:
             found.append(f"  {row.point.label:<{width}}  {row.status}: {row.reason}")
@@ -64,7 +65,7 @@ def lines(rows: list[Row]) -> list[str]:
         if not row.counts and row.worst is not None:
             error = "reference" if row.is_reference else "as ref."
         mark = "*" if row.on_front else " "
-        found.append(f"{mark} {row.point.label:<{width}}  {error:>9}  {row.wall_s:9.2f}  {row.core_s:9.2f}")
+        found.append(f"{mark} {row.point.label:<{width}}  {error:>9}  {row.wall_s:9.2f}  {row.core_s:9.2f}  {row.processor_s:10.2f}")
     return found
 
 
@@ -79,7 +80,7 @@ def change_lines(rows: list[Row], quantities: list[Quantity]) -> list[str]:
                    if q.reduce != "curve"]
         changes += [f"{q.name} differs by {100 * row.errors[q.name]:.3g} %" for q in quantities
                     if q.reduce == "curve" and q.name in row.errors]
-        time = 100 * (row.wall_s / base.wall_s - 1) if base.wall_s else 0.0
+        time = 100 * (row.time_s / base.time_s - 1) if base.time_s else 0.0
         found.append(f"  {row.point.label}: {', '.join(changes)}; run time {time:+.0f} %")
     return found
 

@@ -15,6 +15,7 @@ def rows_of(plan: Plan, reasons: dict, pending: bool = False) -> list[Row]:
     for point in plan.points:
         places = [job.directory for job in plan.jobs.get(point, [])]
         row = study_results.read(point, places, plan.quantities, reasons.get(point, ""))
+        row.by = plan.time
         if pending and row.reason == "not run":
             row.status, row.reason = "pending", ""
         rows.append(row)

@@ -64,6 +64,8 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     add("--error", metavar="E", type=fraction, default=0.02, help="error to reach (default 0.02: 2 %%)")
     add("--out", metavar="DIR", type=Path, help="default runs/study-CASE-VARIANT; an older study goes on")
     add("--jobs", metavar="N", type=positive, default=1, help="points at a time (default 1: fair times)")
+    add("--time", choices=("wall", "processor"), default="wall",
+        help="what counts as run time: processor is what all ranks worked, without waiting (busy machines, --jobs)")
     add("--repeat", metavar="N", type=positive, default=1, help="runs of each point, for the noise of times")
     add("--ranks-fluid", metavar="N", type=positive, help="ranks of the fluid side")
     add("--ranks-dem", metavar="N", type=positive, help="ranks of the particle side")

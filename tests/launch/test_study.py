@@ -4,6 +4,7 @@ import csv
 import unittest
 from pathlib import Path
 
+from launch import study_results
 from launch.study_points import Point
 from tests.launch.fake_study import FakeRunner, StudyCase
 
@@ -110,6 +111,11 @@ class Study(StudyCase):
         self.assertEqual({r["repeats"] for r in self.rows()}, {"2"})
         for name in ("one_way", "two_way"):  # no order from two points: the floor is not known
             self.assertIn(f"for {name}: for an error of 2 % use reaction={name}, window=2e-3", text)
+
+    def test_processor_time_of_both_sides_without_waiting(self) -> None:
+        summary = {"ranks": {"fluid": 2, "dem": 1}, "processor_timings": {
+            "fluid": {"solve": 3.0, "force": 1.0, "wait": 50.0}, "dem": {"solve": 5.0, "wait": 9.0}}}
+        self.assertEqual(study_results.worked_s(summary), 13.0)
 
     def test_ablation(self) -> None:
         change = {"models.drag": 2.0, "models.pressure_gradient": 1.5, "coupling.reaction": 0.95}

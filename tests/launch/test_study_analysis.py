@@ -53,6 +53,18 @@ class Grid(unittest.TestCase):
 
 
 class Front(unittest.TestCase):
+    def test_processor_time_in_place_of_wall_time(self) -> None:
+        """By wall time the second is the cheapest (nothing else ran then), by work done the first."""
+        rows = [row(0.1, 9.0), row(0.2, 5.0)]
+        rows[0].processor_s, rows[1].processor_s = 3.0, 4.0
+        study_analysis.mark_front(rows)
+        self.assertTrue(rows[0].on_front and rows[1].on_front)
+        for done in rows:
+            done.by, done.on_front = "processor", False
+        study_analysis.mark_front(rows)
+        self.assertTrue(rows[0].on_front and not rows[1].on_front)
+        self.assertIn("3 s of processor time", study_analysis.sentence(rows, 0.5))
+
     def test_against_brute_force(self) -> None:
         draw = random.Random(7)
         for _ in range(50):
