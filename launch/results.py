@@ -66,6 +66,13 @@ def up_to(history: dict[str, np.ndarray], until_s: float | None) -> dict[str, np
     return {column: values[kept] for column, values in history.items()}
 
 
+def applies(target: dict, case: dict) -> bool:
+    """Whether the side runs whose observer fills the target's column."""
+    sides = {"wave": "fluid", "gauge": "fluid", "slide": "dem", "particle": "dem"}
+    seen_by = [sides[o["type"]] for name, o in case.get("observe", {}).items() if target["column"].startswith(name + "_")]
+    return not seen_by or case.get(seen_by[0], {}).get("engine") != "none"
+
+
 def judge(target: dict, history: dict[str, np.ndarray]) -> dict:
     """One row of summary.json's `targets`: both tolerances, where given, must hold."""
     how = target.get("reduce", "max")

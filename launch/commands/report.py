@@ -50,7 +50,8 @@ def finish(directory: Path, extra: dict, status: int | None) -> dict:
     summary.setdefault("status", "completed")
     history = results.read_history(directory)
     summary["quantities"] = results.quantities(history)
-    summary["targets"] = [results.judge(t, history) for t in case.get("target", [])]
+    summary["targets"] = [results.judge(t, history) for t in case.get("target", [])
+                          if results.applies(t, case)]
     summary |= extra
     results.write_summary(directory, summary)
     return summary

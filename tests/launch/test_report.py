@@ -75,6 +75,13 @@ class Report(unittest.TestCase):
         names = {q["name"]: (q["value"], q["unit"]) for q in summary["quantities"]}
         self.assertEqual((names["max_air_m"], names["air_m"]), ((2.0, "m"), (1.0, "m")))
 
+    def test_targets_of_a_side_that_does_not_run_are_left_out(self) -> None:
+        case = {"observe": {"wave": {"type": "wave"}, "slide": {"type": "slide"}}, "fluid": {"engine": "none"}}
+        asked = [results.applies({"column": name}, case)
+                 for name in ("wave_height_m", "slide_speed_m_s", "kinetic_energy_J")]
+        self.assertEqual(asked, [False, True, True])
+        self.assertTrue(results.applies({"column": "wave_height_m"}, case | {"fluid": {}}))
+
     def test_target_up_to_a_time(self) -> None:
         history = {"time_s": np.array([0.0, 1, 2, 3]), "v_m_s": np.array([1.0, 5, 2, 9])}
         target = {"name": "first peak", "column": "v_m_s", "reference": 5.0, "tolerance": 0.1, "source": "here"}
