@@ -31,6 +31,7 @@ def collect(case: Case, ready: Prepared) -> dict[str, object]:
         "formulation": case.get("models.formulation"),
         "virtual_mass": case.get("models.virtual_mass"),
         "speed_m_s": case.get("check.speed"),
+        "held": case.get("check.held"),
         "ranks": ready.ranks_fluid + ready.ranks_dem,
         "memory_available_bytes": os.sysconf("SC_AVPHYS_PAGES") * os.sysconf("SC_PAGE_SIZE"),
     }

@@ -89,6 +89,8 @@ KEYS: dict[str, Key] = {
     "dem.script": Key("text", "script that sets the particles up, in the language of dem.engine"),
     "check.speed": Key("number", "fastest particle or fluid expected, for the pre-flight check", "m/s",
                        above=0),
+    "check.held": Key("flag", "no particle is free to move (frozen, or jammed between frozen ones): the pre-flight "
+                      "check leaves out what only free ones do; default false"),
     "checkpoint.windows": Key("whole", "windows between two checkpoints", least=1),
     "checkpoint.interval": Key("number", "wall time between two checkpoints, taken at a window's end", "s",
                                above=0),

@@ -62,6 +62,11 @@ bool stiff(Facts const& facts) {
   return facts.text("regime", "mild") == "stiff" && facts.flag("two_way", true);
 }
 
+/// The user's word that no particle is free: the fluid need not follow what does not move.
+bool held(Facts const& facts) {
+  return facts.flag("held", false);
+}
+
 bool concurrent(Facts const& facts) {
   return facts.text("scheme", "serial") == "concurrent" && facts.flag("two_way", true);
 }
@@ -112,15 +117,19 @@ void check_stiffness(Facts const& facts, Sheet& sheet) {
   // A fluid that hardly feels the particles cannot answer them wrongly: only the mixture must be
   // mild then, and one-way nothing must.
   bool const answers = two_way && (x * loading > limits::mild_stiffness || concurrent(facts));
+  double const largest = concurrent(facts) ? limits::mild_stiffness
+                         : held(facts)     ? limits::largest_held_mild_stiffness
+                                           : limits::largest_mild_stiffness(phi);
   double const comfort =
-      phi > limits::dense_solid_fraction ? limits::dense_mild_stiffness : limits::mild_stiffness;
+      std::min(largest, phi > limits::dense_solid_fraction ? limits::dense_mild_stiffness
+                                                           : limits::mild_stiffness);
   if (stiff(facts)) {
     sheet.at_most(quantity, x, limits::largest_stiffness, limits::largest_stiffness,
                   "proven range of the stiff regime",
                   {"coupling.window", window * limits::largest_stiffness / x});
   } else {
-    sheet.at_most(quantity, x, comfort, answers ? limits::mild_stiffness : INFINITY,
-                  "proven range of the mild regime; coupling.regime = \"stiff\" goes to 1e6",
+    sheet.at_most(quantity, x, comfort, answers ? largest : INFINITY,
+                  "proven range of the mild regime; coupling.regime = \"stiff\" goes to 1e9",
                   {"coupling.window", window * comfort / x});
   }
   if (two_way) {
@@ -192,6 +201,10 @@ void check_added_mass(Facts const& facts, Sheet& sheet) {
     sheet.left_out(quantity, "one-way: the fluid does not see the particles");
     return;
   }
+  if (held(facts)) {
+    sheet.left_out(quantity, "check.held: no particle is free to move");
+    return;
+  }
   if (sheet.needs(facts, quantity, {"particle_density_min_kg_m3", "fluid_density_kg_m3"})) {
     double const comfort = stiff(facts) ? limits::comfortable_stiff_added_mass_number
                                         : limits::comfortable_added_mass_number;
@@ -216,6 +229,10 @@ void check_waves(Facts const& facts, Sheet& sheet) {
       !sheet.needs(facts, quantity,
                    {"window_s", "smoothing_length_m", "stiffness_N_m", "diameter_min_m",
                     "diameter_max_m", "particle_density_min_kg_m3", "fluid_density_kg_m3"})) {
+    return;
+  }
+  if (held(facts)) {
+    sheet.left_out(quantity, "check.held: no particle is free to move");
     return;
   }
   if (drag_damps(facts, limits::damping_stiffness)) {
@@ -245,6 +262,10 @@ void check_waves(Facts const& facts, Sheet& sheet) {
 
 void check_crossing(Facts const& facts, Sheet& sheet) {
   std::string const quantity = "cells crossed in a window";
+  if (!facts.has("dem_dt_s") && !facts.has("diameter_min_m")) {
+    sheet.left_out(quantity, "no particles");
+    return;
+  }
   if (sheet.needs(facts, quantity, {"window_s", "speed_m_s", "cell_size_m"})) {
     double const cell = facts.number("cell_size_m");
     double const speed = facts.number("speed_m_s");

@@ -82,7 +82,8 @@ void check_cells(Facts const& facts, Sheet& sheet) {
     double const cell = facts.number("cell_size_m");
     double const fine = facts.number("diameter_max_m");
     sheet.at_least("cell size over largest diameter", limits::cell_per_diameter(cell, fine),
-                   limits::smallest_cell_per_diameter, limits::smallest_cell_per_diameter,
+                   limits::smallest_cell_per_diameter * (1 - 1e-9),
+                   limits::smallest_cell_per_diameter * (1 - 1e-9),
                    "void fraction of unresolved particles",
                    {"parameters.cell", limits::smallest_cell_per_diameter * fine});
     double const coarse = facts.number("diameter_min_m");
@@ -106,7 +107,8 @@ void check_smoothing(Facts const& facts, Sheet& sheet) {
   if (sheet.needs(facts, quantity, {"smoothing_length_m", "diameter_max_m", "cell_size_m"})) {
     double const length =
         limits::smoothing_length(facts.number("diameter_max_m"), facts.number("cell_size_m"));
-    sheet.at_least(quantity, facts.number("smoothing_length_m"), length * (1 - 1e-9), length / 1.5,
+    sheet.at_least(quantity, facts.number("smoothing_length_m"), length * (1 - 1e-9),
+                   length * limits::shortest_smoothing_share * (1 - 1e-9),
                    "1.5 largest diameters and 1.5 cells", {"coupling.smoothing_length", length});
   }
 }

@@ -75,6 +75,7 @@ std::vector<std::string> const& known_facts() {
                                               "solid_fraction",
                                               "periodic_width_m",
                                               "speed_m_s",
+                                              "held",
                                               "slip_m_s",
                                               "fluid_density_kg_m3",
                                               "fluid_viscosity_Pa_s",

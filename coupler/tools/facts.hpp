@@ -15,6 +15,7 @@
 //                                                         few particles make of their kernel)
 //   periodic_width_m                                      narrowest periodic direction
 //   speed_m_s                                             fastest particle or fluid expected
+//   held                                                  no particle is free to move
 //   slip_m_s                                              largest |u_f - v| (default speed_m_s)
 //   fluid_density_kg_m3 fluid_viscosity_Pa_s              the denser fluid
 //   second_density_kg_m3 second_viscosity_Pa_s            of the fluid above a free surface

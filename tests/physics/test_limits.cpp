@@ -14,6 +14,19 @@
 namespace slidewave {
 namespace {
 
+/// Columns of spheres that settle in the mild regime, with both engines (docs/stability.md).
+TEST(Limits, MildRegimeByCrowding) {
+  struct Seen {
+    double solid_fraction, x;
+    bool right;
+  };
+  for (Seen const seen : {Seen{.5, 1.83, false}, Seen{.6, .40, true}, Seen{.64, .489, false},
+                          Seen{.7, .30, false}, Seen{.74, .15, false}, Seen{.74, .10, true}}) {
+    EXPECT_EQ(seen.x <= limits::largest_mild_stiffness(seen.solid_fraction), seen.right)
+        << seen.solid_fraction << ' ' << seen.x;
+  }
+}
+
 TEST(AddedMassNumber, RockAndWater) {
   // PHYSICS.md 0.10: phi .60: 0.57; .74: 1.07; neutrally buoyant at .6: 1.5; air 4e-4 or so.
   EXPECT_NEAR(limits::added_mass_number(.60, 2650, 1000), 0.57, 0.005);

@@ -85,7 +85,7 @@ TEST(Preflight, EachBreakageIsFoundAndItsRemedyMendsIt) {
                  "particle_density_min_kg_m3"},
         Breakage{"window_s", 0.06, "kernels that a contact wave runs in a window", "window_s"},
         Breakage{"fluid_dt_s", 0.5, "interface Courant number", "fluid_dt_s"},
-        Breakage{"cell_size_m", 1, "cell size over largest diameter", "cell_size_m"},
+        Breakage{"cell_size_m", 0.7, "cell size over largest diameter", "cell_size_m"},
         Breakage{"smoothing_length_m", 3, "smoothing length [m]", "smoothing_length_m"}}) {
     json values = sound();
     values[broken.fact] = broken.value;
@@ -109,6 +109,21 @@ TEST(Preflight, StiffRegimeAdmitsWhatIsProven) {
   EXPECT_EQ(row_of(examine(values), "response of the drag in a window, K W/m").verdict, "ok");
   values["fluid_viscosity_Pa_s"] = 1e13;
   EXPECT_EQ(row_of(examine(values), "response of the drag in a window, K W/m").verdict, "bad");
+}
+
+TEST(Preflight, HeldParticlesHaveNoInertia) {
+  json values = sound();
+  values["particle_density_min_kg_m3"] = 450;
+  values["window_s"] = 0.06;
+  char const* const rows[] = {"added-mass number rho_f phi/(rho_s eps)",
+                              "kernels that a contact wave runs in a window"};
+  for (char const* row : rows) {
+    EXPECT_EQ(row_of(examine(values), row).verdict, "bad");
+  }
+  values["held"] = true;
+  for (char const* row : rows) {
+    EXPECT_EQ(row_of(examine(values), row).verdict, "note");
+  }
 }
 
 TEST(Preflight, StiffDragDampsWhatTheLagOfTheAddedMassFeeds) {

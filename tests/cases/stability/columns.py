@@ -138,22 +138,22 @@ def held(group: str, name: str, *, x: float, ratio: float = 2.65, softness: floa
         "parameters.held": 2 if frozen else 1, "parameters.solid_density": ratio * WATER,
         "parameters.fluid_viscosity": viscosity, "parameters.contact_stiffness": stiffness,
         "parameters.pressure": pressure, "parameters.dem_dt": window / steps,
-        "observe.one.id": 1, "check.speed": max(u, 1e-9)} | (more or {})
+        "observe.one.id": 1, "check.speed": max(u, 1e-9), "check.held": True} | (more or {})
     return Scene(group, name, "column", settings, 10 * u, across**2 * layers * PER_CELL[lattice] * mass / 2, error, **fields)
 
 
 def pile(group: str, name: str, *, kn: float, diameter: float = 5.0, window: float, windows: int,
-         layers: int = 8, step: float = 0.3, damping: float = 1.0, fluid: float = WATER, viscosity: float = 1e-3,
+         layers: int = 8, step: float | None = None, damping: float = 1.0, fluid: float = WATER, viscosity: float = 1e-3,
          lattice: str = "sc", gap: float = 0.0, more: dict[str, object] | None = None, **fields) -> Scene:
     """Touching columns of boulders on a floor under water take up their submerged weight. The error
     is how far spheres that should touch lie in each other, over their diameter. `step` and `damping` over
-    sqrt(m/kn) and its inverse; `gap` between the spheres at first, over the diameter."""
+    sqrt(m/kn) and its inverse (step: 0.3, or 0.2 where twelve touch each); `gap` between the spheres at first, over the diameter."""
     gravity, mass = 9.81, ROCK * spheres.volume(diameter)
     weight = (ROCK - fluid) * spheres.volume(diameter) * gravity
     spacing = diameter * (1 + gap) * (1 if lattice == "sc" else math.sqrt(2))
     beat = math.sqrt(mass / kn)
     fall = weight / kn * layers * (layers + 1) / 2 + gap * diameter * layers
-    steps = math.ceil(window / (step * beat))
+    steps = math.ceil(window / ((step or (0.3 if lattice == "sc" else 0.2)) * beat))
 
     def error(history: History) -> float:
         return float(history["max_overlap"].max())

@@ -5,10 +5,12 @@ from __future__ import annotations
 
 from tests.cases.stability.columns import ROCK, held, lone, pile, settling, suspension
 from tests.cases.stability.scene import Scene
-from tests.cases.stability.surfaces import bounce, free_fall, pool, sloshing, stays
+from tests.cases.stability.surfaces import bounce, dam, free_fall, pool, sloshing, stays
 from tests.cases.verification import spheres
 
 MILD = {"coupling.regime": "mild"}
+HARD = {"parameters.contact_stiffness": 4.0, "parameters.dem_dt": 2.5e-5}  # no impact's overlap counts
+FROZEN = {"parameters.contact_stiffness": 5.0, "parameters.dem_dt": 1e-4}  # nothing moves: contacts do nothing
 BOULDER = ROCK * spheres.volume(5.0)  # kg
 
 
@@ -22,14 +24,17 @@ def _drag() -> list[Scene]:
              for mu in (1e-6, 1e-4, 1e-2, 1, 10, 100)]
     found += [suspension("viscosity", "1000 Pa s, window 0.1 ms", viscosity=1e3, window=1e-4),
               suspension("viscosity", "1000 Pa s, window 1 ms", viscosity=1e3),
-              suspension("viscosity", "1000 Pa s, window 0.1 s", viscosity=1e3, window=0.1)]
+              suspension("viscosity", "1000 Pa s, window 0.1 s", viscosity=1e3, window=0.1, more=HARD)]
     found += [settling("drag, K W/m", f"settling, {x:g}", x=x) for x in (0.05, 1, 100, 1e4)]
     found += [settling("drag, K W/m", f"settling, {x:g}", x=x) for x in (1e5, 1e7, 1e10)]
-    found += [suspension("drag, K W/m", f"suspension, {x:g}", x=x) for x in (1e5, 1e9, 1e12)]
+    found += [suspension("drag, K W/m", f"suspension, {x:g}", x=x) for x in (1e5, 1e9, 1e10, 1e12)]
     found += [held("drag, K W/m", f"held bed, soft contacts, {x:g}", x=x, softness=1, windows=n)
-              for x, n in ((1e4, 60), (1e5, 40), (5e5, 20))]
+              for x, n in ((1e4, 60), (1e5, 40), (5e5, 20), (1e7, 8))]
+    found += [held("drag, K W/m", f"frozen bed, {x:g}", x=x, frozen=True, windows=20, more=FROZEN) for x in (1e7, 6e8)]
     found += [settling("drag, K W/m", f"settling, mild, {x:g}", x=x, phi=phi, more=MILD, quick=x == 30)
               for x, phi in ((0.1, 0.5), (0.25, 0.3), (1, 0.5), (3, 0.5), (30, 0.3), (1000, 0.3))]
+    found += [settling("drag, K W/m", f"settling, mild, fraction {phi:g}, {x:g}", x=x, phi=phi, more=MILD, lattice="fcc")
+              for phi, x in ((0.64, 0.3), (0.64, 0.5), (0.7, 0.15), (0.7, 0.3), (0.74, 0.1), (0.74, 0.2))]
     found += [suspension("drag, K W/m", f"suspension, mild, {x:g}", x=x, more=MILD) for x in (0.2, 1, 10, 100)]
     found += [held("drag, K W/m", f"held bed, {x:g}", x=x, ratio=20, windows=n) for x, n in ((0.1, 300), (10, 30), (1e3, 30))]
     found += [held("drag, K W/m", f"held bed, mild, {'soft' if soft == 1 else 'rigid'} contacts, {x:g}", x=x, more=MILD, windows=60,
@@ -89,10 +94,10 @@ def _contacts() -> list[Scene]:
 def _sizes() -> list[Scene]:
     found = [lone("cell over diameter", f"{cell:g}", cell=cell, cells=n, kernel=1.5, x=0.1, windows=40, closed_form=False,
                   finer={"parameters.cells_across": m, "parameters.cells_up": m}, column="one_vz_m_s")
-             for cell, n, m in ((0.5, 6, 3), (0.25, 12, 6), (0.15, 16, 5))]
+             for cell, n, m in ((0.5, 6, 3), (0.25, 12, 6), (0.15, 16, 5), (0.1, 24, 8))]
     found += [lone("cell over diameter", f"{cell:g}", cell=cell, cells=n, kernel=kernel)
               for cell, n, kernel in ((1, 10, 3), (5, 8, 15), (40, 4, 120))]
-    found += [lone("kernel over diameter", f"{kernel:g}", kernel=kernel) for kernel in (3, 1.5, 0.9, 0.3)]
+    found += [lone("kernel over diameter", f"{kernel:g}", kernel=kernel, more={"parameters.contact_stiffness": 0.1}) for kernel in (3, 1.5, 0.9, 0.6, 0.45, 0.3)]
     found += [lone("sub-steps in a window", f"{n}", more={"parameters.dem_dt": 1e-3 / n, "parameters.contact_stiffness": 0.1})
               for n in (1, 10, 100, 1000)]
     return found
@@ -118,6 +123,7 @@ def _places() -> list[Scene]:
 
 def _steps() -> list[Scene]:
     found = [sloshing("fluid step", f"Courant number {0.1 * dt * 36:.2g}", fluid_dt=dt) for dt in (0.01, 0.05, 0.3, 0.6)]
+    found += [dam("fluid step", f"dam break, interface Courant number {112 * dt:.2g}", fluid_dt=dt) for dt in (0.0025, 0.0125, 0.025)]
     return found
 
 

@@ -55,6 +55,15 @@ def bounce(group: str, name: str, *, overlap: float, **fields) -> Scene:
     return Scene(group, name, "column", settings, speed, mass, error, **fields)
 
 
+def dam(group: str, name: str, *, fluid_dt: float, **fields) -> Scene:
+    """A dam of 1 m breaks on dry ground: level at it in the end, by Ritter."""
+    def error(history: History) -> float:
+        return float(abs(history["dam_level_m"][-1] / (4 / 9) - 1))
+
+    settings = {"coupling.window": 0.05, "parameters.fluid_dt": fluid_dt}
+    return Scene(group, name, "dam_break", settings, error=error, **fields)
+
+
 def sloshing(group: str, name: str, *, fluid_dt: float, **fields) -> Scene:
     """A tank that leans a little sloshes in its first mode; level at the gauge by linear theory."""
     omega = math.sqrt(9.81 * math.pi * math.tanh(math.pi / 2))
