@@ -14,7 +14,7 @@ from launch.study_results import Row
 
 COLOURS = ("#1f5f99", "#b03a2e", "#2a7f3f", "#8e5bb5", "#b07d1f", "#444444")
 MARKERS = "osD^vP"
-SMALLEST = 1e-12  # an error of nothing is drawn here
+SMALLEST = 1e-12  # errors below are drawn at the bottom
 
 
 def write(path: Path, title: str, groups: dict[str, list[Row]], quantities: list[Quantity],
@@ -53,7 +53,9 @@ def _draw(axes, rows: list[Row], quantity: str, name: str, index: int, all_label
         return
     colour = COLOURS[index % len(COLOURS)]
     costs = [max(row.time_s, 1e-3) for row in taken]
-    errors = [max(row.errors[quantity], SMALLEST) for row in taken]
+    seen = [row.errors[quantity] for row in taken if row.errors[quantity] > SMALLEST]
+    bottom = min(seen) / 3 if seen else SMALLEST
+    errors = [max(row.errors[quantity], bottom) for row in taken]
     spread = [row.time_spread_s / 2 for row in taken]
     axes.errorbar(costs, errors, xerr=spread if any(spread) else None, fmt=MARKERS[index % len(MARKERS)],
                   color=colour, markersize=4, elinewidth=0.7, label=name or None)

@@ -38,6 +38,8 @@ def judge(plan: Plan, rows: list[Row], ablate: bool, wanted: float) -> None:
         study_results.compare(members, plan.quantities, reference)
         if ablate:
             continue
+        for row in members if plan.reference and plan.reference.history else ():
+            row.is_reference = row.worst == 0  # the run that the file came from
         if plan.reference is None:
             study_analysis.set_floor(members, [q.name for q in plan.quantities])
         study_analysis.mark_front(members)

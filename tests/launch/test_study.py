@@ -99,6 +99,16 @@ class Study(StudyCase):
                    "--quantity", "curve:sphere_vz_m_s")
         self.assertAlmostEqual(float(self.rows()[0]["error"]), 0.04)
 
+    def test_history_of_one_of_the_runs_is_known_as_the_reference(self) -> None:
+        words = ("--vary", WINDOW, *INTERVAL, "--quantity", "curve:sphere_vz_m_s")
+        self.study(FakeRunner(linear, cost), *words)
+        base = next(h for h in sorted((self.place / "study/points").glob("*/history.csv")) if "2e-3" in str(h))
+        kept = self.place / "kept.csv"
+        kept.write_bytes(base.read_bytes())
+        self.study(FakeRunner(linear, cost), *words, "--reference", str(kept))
+        self.assertEqual([(r["is_reference"], r["on_front"]) for r in self.rows()],
+                         [("0", "1"), ("1", "0"), ("0", "1")])
+
     def test_groups_repeats_list_and_jobs(self) -> None:
         file = self.place / "list.csv"
         file.write_text("coupling.reaction,coupling.window\n# finest last\none_way,2e-3\none_way,1e-3\n"
