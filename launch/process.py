@@ -7,7 +7,7 @@ import subprocess
 import time
 from pathlib import Path
 
-from launch import places, ranks
+from launch import mpirun_end, places, progress, ranks, results
 from launch.errors import RunError
 from launch.prepare import Prepared
 
@@ -30,7 +30,8 @@ def check_programs(words: list[str]) -> None:
 
 
 def run(ready: Prepared) -> int:
-    """Runs a prepared directory; gives mpirun's exit status (128 + number where a signal ended it).
+    """Runs a prepared directory; gives mpirun's exit status (128 + number where a signal ended it). Where mpirun
+    itself hangs after its programs it is ended, and what they wrote tells the status.
 
     SIGINT and SIGTERM ask the programs to leave at the next window end: mpirun hands SIGUSR1 to every
     rank. A second signal ends them at once."""
@@ -52,8 +53,12 @@ def run(ready: Prepared) -> int:
     previous = {number: signal.signal(number, forward) for number in watched
                 if signal.getsignal(number) != signal.SIG_IGN}  # nohup stays nohup
     try:
-        status = child.wait()
+        status = mpirun_end.wait(child)
     finally:
         for number, handler in previous.items():
             signal.signal(number, handler)
+    if status is None:
+        progress.say("mpirun did not leave after its programs: ended")
+        done = results.read_summary(ready.directory).get("status") in ("completed", "stopped")
+        return 0 if done and not (ready.directory / "failure.txt").exists() else 1
     return status if status >= 0 else 128 - status

@@ -17,6 +17,9 @@ from pathlib import Path
 
 from pair import CASE, DEFAULTS, Run
 
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent.parent))
+from launch import mpirun_end
+
 KEYS = "[checkpoint]\nwindows = 10\nkeep = 3\n"
 
 
@@ -261,7 +264,7 @@ def run_and_kill(line, chance, seconds):
     timer = threading.Timer(chance.uniform(0.1, 0.8) * seconds, strike) if chance else None
     if timer:
         timer.start()
-    status = job.wait(timeout=60)
+    status = mpirun_end.wait(job)  # None: it hung after its programs, as mpirun may where one was killed
     if timer:
         timer.cancel()
     return status, len(hit)
