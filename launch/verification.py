@@ -13,15 +13,16 @@ from pathlib import Path
 VARIABLE = "SLIDEWAVE_VERIFICATION"
 
 
-def record(case: str, quantity: str, value: float, reference: float, tolerance: float, wall_s: float,
+def record(case: str, quantity: str, value: float, reference: float | None, tolerance: float | None, wall_s: float,
            absolute: bool = False) -> None:
-    """Notes one comparison. The error is relative to the reference, or as it is where `absolute`."""
+    """Notes one comparison. The error is relative to the reference, or as it is where `absolute`. Without a tolerance
+    the value is reported, not held; it may have no reference then."""
     place = os.environ.get(VARIABLE)
     if not place:
         return
-    error = abs(value - reference) / (1.0 if absolute or reference == 0 else abs(reference))
+    error = None if reference is None else abs(value - reference) / (1.0 if absolute or reference == 0 else abs(reference))
     row = {"case": case, "quantity": quantity, "value": value, "reference": reference, "error": error,
-           "tolerance": tolerance, "wall_s": wall_s, "pass": error <= tolerance}
+           "tolerance": tolerance, "wall_s": wall_s, "pass": tolerance is None or error <= tolerance}
     name = "".join(c if c.isalnum() else "_" for c in f"{case}-{quantity}")
     Path(place).mkdir(parents=True, exist_ok=True)
     (Path(place) / f"{name}.json").write_text(json.dumps(row))
@@ -42,8 +43,10 @@ def table(rows: list[dict]) -> str:
              "| case | quantity | value | reference | error | tolerance | wall s | pass |",
              "|---|---|---|---|---|---|---|---|"]
     for r in rows:
-        lines.append(f"| {r['case']} | {r['quantity']} | {r['value']:.6g} | {r['reference']:.6g} | {r['error']:.2g} "
-                     f"| {r['tolerance']:g} | {r['wall_s']:.1f} | {'yes' if r['pass'] else 'NO'} |")
+        reference, error = ("-", "-") if r["reference"] is None else (f"{r['reference']:.6g}", f"{r['error']:.2g}")
+        tolerance, verdict = ("-", "reported") if r["tolerance"] is None else (f"{r['tolerance']:g}", "yes" if r["pass"] else "NO")
+        lines.append(f"| {r['case']} | {r['quantity']} | {r['value']:.6g} | {reference} | {error} "
+                     f"| {tolerance} | {r['wall_s']:.1f} | {verdict} |")
     return "\n".join(lines) + "\n"
 
 
