@@ -117,6 +117,9 @@ struct FoamEngine::Impl {
   std::unique_ptr<DragDensity> drag;
   bool moves_along = false;               // virtual mass, two-way
   double const* added_mass_kg = nullptr;  // of the coming window, a particle each
+  double const* volume_m3 = nullptr;      // likewise
+  bool deposit_due = false;               // of that volume
+  bool begun = false;                     // the initial state is there
 
   Impl(Scene const& the_scene, MPI_Comm the_comm, bool parallel)
       : scene(the_scene),
@@ -145,6 +148,17 @@ struct FoamEngine::Impl {
       drag->addedMass = std::make_unique<volScalarField::Internal>(
           name("addedMass"), mesh, dimensionedScalar(dimDensity, Zero));
     }
+  }
+
+  void depositAlone() {
+    solid.deposit(kernel, Table::ConstColumn(volume_m3, 1, kernel.particles()));
+    setTarget();
+  }
+
+  void setTarget() {
+    deposit_due = false;
+    forAll(target, cell) target[cell] = solid.voidFraction(cell);
+    flow->setTarget(target);
   }
 
   void write(double now_s) {
@@ -240,11 +254,12 @@ void FoamEngine::place(Table::ConstColumn position_m, std::vector<int> const& ce
   impl_->flow->setDrag(nullptr);
 }
 
+// The volume goes to the cells together with the drag, where weights are worked out anyway: nothing
+// looks at the target before the flow advances, except in window 0, where it is the initial state.
 void FoamEngine::deposit(Table::ConstColumn volume_m3) {
-  Impl& self = *impl_;
-  self.solid.deposit(self.kernel, volume_m3);
-  forAll(self.target, cell) self.target[cell] = self.solid.voidFraction(cell);
-  self.flow->setTarget(self.target);
+  impl_->volume_m3 = volume_m3.data();
+  impl_->deposit_due = true;
+  if (!impl_->begun) impl_->depositAlone();
 }
 
 void FoamEngine::add_mass(Table::ConstColumn const& added_mass_kg) {
@@ -257,13 +272,21 @@ void FoamEngine::exchange(Table::ConstColumn drag_kg_s, Table::ConstColumn veloc
   if (self.particles == 0) return;
   self.sampler.weighParticles();
   // Shares of a particle's drag: q = K / T(rho eps), so that the cells' total is K (u_f - v).
-  auto const density = self.kernel.spread(self.moves_along ? 8 : 7, [&](int i, double* out) {
+  bool const deposits = self.deposit_due;
+  int const volumeRow = 7, massRow = deposits ? 8 : 7;
+  int const rows = massRow + (self.moves_along ? 1 : 0);
+  auto const density = self.kernel.spread(rows, [&](int i, double* out) {
     double const share = self.sampler.particleShare(i), drag = drag_kg_s(0, i) * share;
     out[0] = drag;
     for (int d = 0; d < 3; ++d) out[1 + d] = drag * velocity_m_s(d, i);
     for (int d = 0; d < 3; ++d) out[4 + d] = share * force_N(d, i);
-    out[7] = self.moves_along ? share * self.added_mass_kg[i] : 0;
+    if (deposits) out[volumeRow] = self.volume_m3[i];
+    if (self.moves_along) out[massRow] = share * self.added_mass_kg[i];
   });
+  if (deposits) {
+    self.solid.store(self.kernel, density, volumeRow);
+    self.setTarget();
+  }
   if (!self.drag) self.makeDrag();
   for (label cell = 0; cell < self.foam.mesh().nCells(); ++cell) {
     double const weight = self.sampler.cellWeight(cell);
@@ -275,19 +298,21 @@ void FoamEngine::exchange(Table::ConstColumn drag_kg_s, Table::ConstColumn veloc
   }
   if (self.moves_along) {
     scalarField& added = *self.drag->addedMass;
-    forAll(added, cell) added[cell] = self.sampler.cellWeight(cell) * density(7, cell);
+    forAll(added, cell) added[cell] = self.sampler.cellWeight(cell) * density(massRow, cell);
   }
   self.flow->setDrag(self.drag.get());
 }
 
 void FoamEngine::advance(Window const& window) try {
   Impl& self = *impl_;
+  if (self.deposit_due) self.depositAlone();  // no drag took it along
   if (self.particles > 0) self.sampler.weigh();
   if (window.index == 0) {
     self.flow->initialise();
   } else {
     self.flow->advance(window.t1_s);
   }
+  self.begun = true;
   self.observe();
   self.write(window.t1_s);
 } catch (Foam::error const& problem) {  // callers know no OpenFOAM
@@ -330,6 +355,7 @@ void FoamEngine::pass(State& state) try {
   state.pass("foam.outputs", self.outputs);
   FieldState fields(state, self.foam.mesh());
   self.flow->pass(fields);
+  self.begun = true;
 } catch (Foam::error const& problem) {
   Info << problem << endl;
   throw std::runtime_error("OpenFOAM: " + problem.message());

@@ -3,9 +3,13 @@
 namespace slidewave::foam {
 
 void SolidFraction::deposit(ParticleKernel& kernel, Table::ConstColumn volume_m3) {
-  auto const fraction =
-      kernel.spread(1, [&](int particle, double* out) { *out = volume_m3(0, particle); });
-  deposit_.assign(fraction.data(), fraction.data() + fraction.size());
+  store(kernel, kernel.spread(1, [&](int i, double* out) { *out = volume_m3(0, i); }), 0);
+}
+
+void SolidFraction::store(ParticleKernel const& kernel, ParticleKernel::Fields const& spread,
+                          int row) {
+  deposit_.resize(static_cast<std::size_t>(spread.cols()));
+  for (long cell = 0; cell < spread.cols(); ++cell) deposit_[cell] = spread(row, cell);
   stored_ = deposit_;
   moved_m3_ = kernel.smoother().spreadExcess(stored_, 1 - smallest_void_fraction);
 }

@@ -84,8 +84,8 @@ class FluidEngine : public Engine {
   /// the next place(); the column stays as it is until then. `smoothing_length_m` is the kernel's
   /// length, constant in a run.
   virtual void place(Table::ConstColumn position_m, std::vector<int> const& cell) = 0;
-  /// Solid volume [m3] per particle: the void fraction ramps over the coming window from the value
-  /// the last one ended with to this deposit. Not called without a model that needs porosity.
+  /// Solid volume [m3] per particle, to stay until advance(): the void fraction ramps over the
+  /// window from where it ended to this deposit. Not called without a model that needs porosity.
   virtual void deposit(Table::ConstColumn volume_m3) = 0;
   /// Drag of the coming window, per particle: K [kg/s], velocity [m/s], and a constant extra force
   /// on the fluid [N] (the ledger being repaid). The engine spreads them with weights proportional
