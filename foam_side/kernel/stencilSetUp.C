@@ -55,9 +55,9 @@ std::vector<Vec3> shifts(Vec3 const& period_m) {
 }  // namespace
 
 void CellStencil::addCentre(Vec3 const& centre_m, Eigen::Matrix3d const& metric, int column) {
-  auto const tilt = [&](int i, int j) {  // or 0 where it is round-off
+  auto const tilt = [&](int i, int j) {  // or 0 where it is round-off of the corners' coordinates
     double const twice = 2 * metric(i, j);
-    return std::abs(twice) < 1e-14 * std::sqrt(metric(i, i) * metric(j, j)) ? 0 : twice;
+    return std::abs(twice) < 1e-12 * std::sqrt(metric(i, i) * metric(j, j)) ? 0 : twice;
   };
   centres_.push_back(
       {{centre_m[0], centre_m[1], centre_m[2]},
