@@ -134,7 +134,10 @@ void FieldSampler::sample(std::vector<Sample> const& samples) {
       double const factor = target.weighted ? share : target.factor;
       double* const out = target.values + static_cast<long>(target.components) * particle;
       double const* const in = values + target.row * stride;
-      for (int d = 0; d < target.components; ++d) out[d] = factor * in[d * stride];
+      out[0] = factor * in[0];
+      if (target.components == 1) continue;
+      out[1] = factor * in[stride];
+      out[2] = factor * in[2 * stride];
     }
   });
   at_particles_ = true;
