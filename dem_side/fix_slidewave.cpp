@@ -240,38 +240,44 @@ void FixSlidewave::kick() {
     turn();
   }
   double const half_dt_s = 0.5 * update->dt;
+  std::array<double, 3> const none{};
+  std::array<double, 3> received = received_, unkept{};
   double const* other = other_force_N_.data();
-  auto const book = [&](int i, int axis, double share) {
-    received_[static_cast<unsigned>(axis)] += share;
-    if (impulse) {
-      impulse[i][axis] += share;
-    }
-  };
-  for (int i = 0; i < atom->nlocal; ++i) {
+  for (int i = 0; i < atom->nlocal; ++i, other += 3) {
+    double const* const u = fluid ? fluid[i] : none.data();
+    double const* const extra_N = extra ? extra[i] : none.data();
+    double const* const given_N = exchanged ? exchanged[i] : none.data();
+    double const* const v = atom->v[i];
+    double* const booked = impulse ? impulse[i] : unkept.data();
+    double* const f = atom->f[i];
+    // Once an atom, and divisions only where there is something to divide: this runs twice a step.
+    slidewave::KickFactors const factors =
+        plain ? slidewave::KickFactors() : factors_[static_cast<std::size_t>(i)];
     double const drag_kg_s = drag ? drag[i] : 0.0, added_kg = added ? added[i] : 0.0,
-                 own_kg = atom->rmass[i], mass_kg = own_kg + added_kg;
-    for (int axis = 0; axis < 3; ++axis, ++other) {
-      double& f = atom->f[i][axis];
-      double const v = atom->v[i][axis], u = fluid ? fluid[i][axis] : 0.0,
-                   given_N = exchanged ? exchanged[i][axis] : 0.0;
-      if (held_.held(atom->mask[i], axis)) {
-        f = *other;
-        book(i, axis, (drag_kg_s * (u - v) + given_N) * half_dt_s);
-        continue;
+                 mass_kg = atom->rmass[i] + added_kg;
+    double const response_s_kg = slidewave::mean_response(factors, mass_kg, half_dt_s);
+    double const own_share = added ? atom->rmass[i] / mass_kg : 1.0,
+                 added_share = added ? added_kg / mass_kg : 0.0;
+    int const mask = atom->mask[i];
+    for (int axis = 0; axis < 3; ++axis) {
+      double share = 0;
+      if (held_.held(mask, axis)) {
+        f[axis] = other[axis];
+        share = (drag_kg_s * (u[axis] - v[axis]) + given_N[axis]) * half_dt_s;
+      } else {
+        double const all_N = other[axis] + extra_N[axis] + given_N[axis];
+        double const moves_N =
+            slidewave::effective_force(factors, drag_kg_s, u[axis], v[axis], all_N);
+        f[axis] = moves_N * own_share;
+        share = slidewave::drag_impulse_of_response(factors, response_s_kg, drag_kg_s, u[axis],
+                                                    v[axis], all_N, half_dt_s) +
+                (given_N[axis] - moves_N * added_share) * half_dt_s;
       }
-      double const all_N = *other + (extra ? extra[i][axis] : 0.0) + given_N;
-      if (plain) {
-        f = all_N;
-        continue;
-      }
-      slidewave::KickFactors const& factors = factors_[static_cast<std::size_t>(i)];
-      double const moves_N = slidewave::effective_force(factors, drag_kg_s, u, v, all_N);
-      f = moves_N * (own_kg / mass_kg);
-      book(i, axis,
-           slidewave::drag_impulse(factors, drag_kg_s, u, v, all_N, mass_kg, half_dt_s) +
-               (given_N - moves_N * (added_kg / mass_kg)) * half_dt_s);
+      received[static_cast<unsigned>(axis)] += share;
+      booked[axis] += share;
     }
   }
+  received_ = received;
 }
 
 double FixSlidewave::compute_vector(int axis) {

@@ -51,12 +51,26 @@ T effective_force(KickFactors const& factors, double drag_kg_s, T const& fluid_v
   return factors.phi1 * (drag_kg_s * (fluid_velocity - velocity) + force_N);
 }
 
+/// phi2 h/m [s/kg], which a particle's directions have in common: velocity that a force takes off
+/// the mean slip, per force.
+inline double mean_response(KickFactors const& factors, double mass_kg, double h_s) {
+  return factors.phi2 * h_s / mass_kg;
+}
+
 /// The drag's share of the kick [kg m/s]; `velocity` is the one before the kick.
+template <class T>
+T drag_impulse_of_response(KickFactors const& factors, double mean_response_s_kg, double drag_kg_s,
+                           T const& fluid_velocity, T const& velocity, T const& force_N,
+                           double h_s) {
+  return (drag_kg_s * h_s) *
+         (factors.phi1 * (fluid_velocity - velocity) - mean_response_s_kg * force_N);
+}
+
 template <class T>
 T drag_impulse(KickFactors const& factors, double drag_kg_s, T const& fluid_velocity,
                T const& velocity, T const& force_N, double mass_kg, double h_s) {
-  return (drag_kg_s * h_s) *
-         (factors.phi1 * (fluid_velocity - velocity) - (factors.phi2 * h_s / mass_kg) * force_N);
+  return drag_impulse_of_response(factors, mean_response(factors, mass_kg, h_s), drag_kg_s,
+                                  fluid_velocity, velocity, force_N, h_s);
 }
 
 /// A kicked particle: its new velocity [m/s] and the impulse of the drag alone [kg m/s].
