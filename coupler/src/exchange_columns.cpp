@@ -31,14 +31,14 @@ void scatter_rows(double const* in, int const* rows, long count, double* to) {
 }  // namespace
 
 bool all_finite(double const* values, long count) {
-  constexpr std::uint64_t exponent = 0x7ff0000000000000ULL;
-  std::uint64_t bad = 0;
+  constexpr std::uint64_t exponent = 0x7ff0000000000000ULL, one = 0x0010000000000000ULL;
+  std::uint64_t bad = 0;  // where all bits of an exponent are set, one more carries into the sign
   for (long i = 0; i < count; ++i) {
     std::uint64_t bits;
     std::memcpy(&bits, values + i, sizeof bits);
-    bad |= (bits & exponent) == exponent;
+    bad |= (bits & exponent) + one;
   }
-  return bad == 0;
+  return bad >> 63 == 0;
 }
 
 bool pack(Table::ConstColumn const& column, int const* rows, long count, double* out) {

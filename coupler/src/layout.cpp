@@ -2,14 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "contact_memory.hpp"
 
 namespace slidewave {
 namespace {
 
-constexpr double owners = 2097152;  // 2^21 ranks x 2^31 cells fit the 53 bits of a double
+constexpr long owners = 2097152;  // 2^21 ranks x 2^31 cells fit the 53 bits of a double
 
 std::string list(std::vector<Field> const& fields) {
   std::string text;
@@ -105,12 +103,12 @@ int doubles_per_particle(std::vector<Field> const& fields) {
 }
 
 HomeCode HomeCode::decode(double code) {
-  double const high = std::floor(code / owners);
-  return {static_cast<int>(code - high * owners) - 1, static_cast<int>(high) - 1};
+  long const whole = static_cast<long>(code);
+  return {static_cast<int>(whole % owners) - 1, static_cast<int>(whole / owners) - 1};
 }
 
 double HomeCode::encode() const {
-  return (owner + 1) + owners * (cell + 1.0);
+  return static_cast<double>(owner + 1 + owners * (cell + 1L));
 }
 
 }  // namespace slidewave

@@ -169,11 +169,21 @@ void Outbox::expect_answers() {
   }
 }
 
+bool Outbox::all_answered() const {
+  std::size_t rows = 0;
+  for (std::size_t e = 0; e < expected_count_; ++e) {
+    rows += expected_[e].rows.size();
+  }
+  return rows == owner_.size();
+}
+
 void Outbox::receive(Table& answers, long window) {
   Scope const scope(session_.profile, Phase::exchange);
   answers.resize(static_cast<long>(owner_.size()));
-  for (Field const& field : answered_) {
-    answers[field.name].setZero();
+  if (!all_answered()) {
+    for (Field const& field : answered_) {
+      answers[field.name].setZero();
+    }
   }
   auto memory = answers["memory"];
   if (agreed_.models.ledger()) {

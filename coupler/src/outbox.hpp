@@ -56,6 +56,7 @@ class Outbox {
   void query_others(Table const& particles, long window);
   void send_moves(Table const& particles, long window);
   void expect_answers();
+  bool all_answered() const;
   void judge_outside(Table const& particles, long window);
 
   Session::Impl& session_;
