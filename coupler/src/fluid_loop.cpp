@@ -16,6 +16,9 @@ namespace {
 /// Below this share of water a particle is in air, which cannot take a ledger without jets.
 constexpr double air_saturation = 0.01;
 
+/// The column that the ledger [kg m/s] came in holds the force that repays it [N] from repay() on.
+constexpr char const* repaid_column = "ledger";
+
 class FluidLoop {
  public:
   FluidLoop(Session::Impl& session, FluidEngine& engine, Agreed const& agreed)
@@ -43,9 +46,6 @@ class FluidLoop {
       if (!models_.lift) {
         particles_.add({"velocity", "m/s", 3});
       }
-    }
-    if (models_.ledger()) {
-      particles_.add({"repaid", "N", 3});
     }
     if (models_.porosity()) {
       particles_.add({"volume", "m3", 1});
@@ -159,7 +159,7 @@ class FluidLoop {
     if (models_.ledger()) {
       repay(window);
       if (models_.lift) {
-        particles_["repaid"] -= particles_["lift"];
+        particles_[repaid_column] -= particles_["lift"];
       }
       if (models_.stiff) {
         foresee(window.length_s(), gravity_m_s2_, particles_);
@@ -171,31 +171,32 @@ class FluidLoop {
       if (models_.moves_fluid_along()) {
         engine_.add_mass(read["added_mass"]);
       }
-      engine_.exchange(read[reaction()], read["velocity"], read["repaid"]);
+      engine_.exchange(read[reaction()], read["velocity"], read[repaid_column]);
     }
   }
 
   /// The force that pays the ledger back to the fluid; a particle in air keeps its own.
   void repay(Window const& window) {
     double const rate = window.length_s() > 0 ? 1 / window.length_s() : 0;
-    particles_["repaid"] = rate * particles_["ledger"];
+    auto ledger = particles_["ledger"];
     ledger_in_air_ = Vec3::Zero();
     if (agreed_.saturation) {
       auto const saturation = particles_["saturation"];
       for (long i = 0; i < particles_.size(); ++i) {
         if (saturation(0, i) < air_saturation) {
-          ledger_in_air_ += particles_["ledger"].col(i);
-          particles_["repaid"].col(i).setZero();
+          ledger_in_air_ += ledger.col(i);
+          ledger.col(i).setZero();
         }
       }
     }
+    ledger *= rate;
   }
 
   /// Concurrent: the fluid takes the drag of the window's start as a force that does not change, so
   /// that what it gives is known when the particles are answered.
   void take_at_once() {
     auto const slip = particles_["fluid_velocity"] - particles_["velocity"];
-    particles_["repaid"] -= slip * particles_["drag"].row(0).asDiagonal();
+    particles_[repaid_column] -= slip * particles_["drag"].row(0).asDiagonal();
     particles_["response"].setZero();
   }
 
@@ -242,7 +243,7 @@ class FluidLoop {
   /// holds the fluid's mean velocity before.
   void book(double length_s) {
     Table const& read = particles_;
-    auto const drag = read[reaction()], velocity = read["velocity"], repaid = read["repaid"];
+    auto const drag = read[reaction()], velocity = read["velocity"], repaid = read[repaid_column];
     auto given = particles_["given"];
     if (models_.concurrent) {
       given = -length_s * repaid;

@@ -21,7 +21,7 @@ double voids_at(Table const& particles, long i) {
 void foresee(double window_s, Vec3 const& gravity_m_s2, Table& particles) {
   Table const& read = particles;
   auto response = particles["response"];
-  auto repaid = particles["repaid"];
+  auto repaid = particles["ledger"];  // a force by now
   if (window_s <= 0) {
     response.setZero();
     repaid.setZero();
