@@ -25,7 +25,7 @@ bool Waiter::Attempt::back_off() {
   return true;
 }
 
-void Waiter::remind(Attempt& attempt, std::string const& awaited) const {
+bool Waiter::must_speak(Attempt& attempt) const {
   if (!joining_ && attempt.checked_s - attempt.watched_s > 1) {
     attempt.watched_s = attempt.checked_s;
     if (failure_.another_failed()) {
@@ -34,6 +34,11 @@ void Waiter::remind(Attempt& attempt, std::string const& awaited) const {
       std::_Exit(1);
     }
   }
+  return attempt.checked_s - attempt.start_s > patience_s_ ||
+         (speaks_ && attempt.checked_s - attempt.spoken_s > 30);
+}
+
+void Waiter::remind(Attempt& attempt, std::string const& awaited) const {
   double const waited = attempt.checked_s - attempt.start_s;
   if (waited > patience_s_) {
     std::string const limit =
@@ -43,11 +48,9 @@ void Waiter::remind(Attempt& attempt, std::string const& awaited) const {
                           patience_s_);
     failure_.fail(fmt::format("waited {:.3g} s for {}, longer than {}", waited, awaited, limit), 1);
   }
-  if (speaks_ && attempt.checked_s - attempt.spoken_s > 30) {
-    attempt.spoken_s = attempt.checked_s;
-    failure_.terminal().say(
-        fmt::format("slidewave: {} has waited {:.0f} s for {}", failure_.who(), waited, awaited));
-  }
+  attempt.spoken_s = attempt.checked_s;
+  failure_.terminal().say(
+      fmt::format("slidewave: {} has waited {:.0f} s for {}", failure_.who(), waited, awaited));
 }
 
 }  // namespace slidewave

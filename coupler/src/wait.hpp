@@ -31,7 +31,7 @@ class Waiter {
     }
     Attempt attempt;
     while (!done()) {
-      if (attempt.back_off()) {
+      if (attempt.back_off() && must_speak(attempt)) {  // texts are made only to be said
         remind(attempt, awaited());
       }
     }
@@ -60,6 +60,8 @@ class Waiter {
     /// Sleeps a little; true about ten times a second, when the clock should be looked at.
     bool back_off();
   };
+  /// Ends this rank where another one failed; true where the wait is long enough for words.
+  bool must_speak(Attempt& attempt) const;
   void remind(Attempt& attempt, std::string const& awaited) const;
 
   Failure const& failure_;
