@@ -80,6 +80,12 @@ std::vector<Quantity> Budgets::columns() const {
     columns.push_back({"nearest_cell", last_.nearest_cell});
     columns.push_back({"outside", last_.outside});
   }
+  if (models_.drag) {
+    columns.push_back({"max_drag_response", last_.drag_response});
+  }
+  if (models_.drag && models_.porosity()) {
+    columns.push_back({"max_kernels_crossed", last_.kernels_crossed});
+  }
   if (models_.porosity()) {
     columns.push_back({"solid_volume_defect", solid_volume_defect_});
   }

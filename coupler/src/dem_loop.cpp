@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "crash.hpp"
+#include "dem_watch.hpp"
 #include "outbox.hpp"
 #include "relay.hpp"
 #include "reporter.hpp"
@@ -20,6 +21,7 @@ class DemLoop {
         windows_(Windows::of(session.scene)),
         checkpoints_(session, engine, windows_),
         relay_(session),
+        watch_(agreed.models),
         outbox_(session, agreed) {
     for (Field const& field : Layout::gathered(agreed.models, session.world.has_partner())) {
       particles_.add(field);
@@ -85,6 +87,7 @@ class DemLoop {
     outbox_.receive(answers_, n);
     Scope const scope(session_.profile, Phase::exchange);
     engine_.apply(answers_);
+    watch_.look(particles_, answers_, windows_[n].length_s(), session_.agreement);
     return all;
   }
 
@@ -144,6 +147,10 @@ class DemLoop {
       Eigen::Map<Vec3>(sums.ledger) = outbox_.ledger().rowwise().sum();
       sums.received_abs = (agreed_.in_plane.asDiagonal() * impulse).colwise().norm().sum();
     }
+    if (session_.is_root()) {
+      sums.drag_response = watch_.drag_response();
+      sums.kernels_crossed = watch_.kernels_crossed();
+    }
     take_times(session_.profile, sums);
     return sums;
   }
@@ -154,6 +161,7 @@ class DemLoop {
   Windows windows_;
   Checkpoints checkpoints_;
   Relay relay_;
+  DemWatch watch_;
   Outbox outbox_;
   Table particles_;
   Table answers_;

@@ -11,12 +11,14 @@ namespace slidewave {
 struct DemSums {
   double particles = 0;
   double mass_kg = 0;
-  double volume_m3 = 0;     ///< of particles that the fluid sees
-  double nearest_cell = 0;  ///< particles placed in the nearest cell of the mesh
-  double outside = 0;       ///< particles that no fluid acts on
-  double received[3] = {};  ///< drag impulse of the window, from the particle engine [kg m/s]
-  double received_abs = 0;  ///< sum of its magnitudes over the particles
-  double ledger[3] = {};    ///< given less received, after the window [kg m/s]
+  double volume_m3 = 0;        ///< of particles that the fluid sees
+  double nearest_cell = 0;     ///< particles placed in the nearest cell of the mesh
+  double outside = 0;          ///< particles that no fluid acts on
+  double received[3] = {};     ///< drag impulse of the window, from the particle engine [kg m/s]
+  double received_abs = 0;     ///< sum of its magnitudes over the particles
+  double ledger[3] = {};       ///< given less received, after the window [kg m/s]
+  double drag_response = 0;    ///< DemWatch's, of all ranks on the first one, else 0
+  double kernels_crossed = 0;  ///< likewise
   double seconds[Profile::phases] = {};
   double processor_seconds[Profile::phases] = {};
 };

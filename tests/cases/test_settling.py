@@ -51,6 +51,9 @@ class Settling(unittest.TestCase):
                             self.wall_s)
         self.assertLess(error.max(), 0.01, f"at {history['time_s'][error.argmax()]:g} s")
         self.assertLess(np.abs(history["sphere_vx_m_s"]).max(), 1e-9 * sphere.terminal_speed())
+        before, window = -history["sphere_vz_m_s"][1:-1], np.diff(history["time_s"])[1:]  # of its begin
+        drag = [sphere.drag(v) / v for v in before]
+        np.testing.assert_allclose(history["max_drag_response"][2:], drag * window / sphere.mass, rtol=1e-6)
 
     def test_one_way_re_0p1(self) -> None:
         self.follows_the_ode("one_way")
@@ -80,6 +83,10 @@ class Settling(unittest.TestCase):
         self.assertLessEqual(budgets["momentum_outstanding"], 1e-2)
         self.assertLessEqual(budgets["solid_volume_defect"], 1e-12)
         self.assertEqual(budgets["particles_lost"], 0)
+        window = history["time_s"][1] - history["time_s"][0]
+        fastest = np.abs(history["sphere_vz_m_s"][:-1]).max()
+        self.assertAlmostEqual(summary["extremes"]["max_kernels_crossed"],
+                               fastest * window / summary["smoothing_length_m"], delta=1e-6 * fastest)
 
     def test_plain_mpirun_line(self) -> None:
         script = ROOT / "cases/settling_sphere/run.sh"
