@@ -108,6 +108,19 @@ class Restart(unittest.TestCase):
         self.assertIn('regime = "stiff"', (whole / "case.toml").read_text())
         self.same(whole, self.again(whole, case)[0])
 
+    def test_forces(self):
+        """Virtual mass, viscous force, lift and torque: what they remember of the last window goes on too, also
+        at a free surface."""
+        words = [w for key in ("virtual_mass=constant", "viscous_force=true", "lift=saffman_mei", "torque=rotational_drag")
+                 for w in ("--set", f"models.{key}")]
+        for name, case in (("sphere", SPHERE), ("slide", SLIDE)):
+            with self.subTest(name):
+                whole = self.whole((*case, *words, "--force"), "--ranks-fluid", "2", "--ranks-dem", "1")
+                out, _ = self.again(whole, (*case, *words, "--force"))
+                self.same(whole, out)
+                shutil.rmtree(whole)
+                shutil.rmtree(out)
+
     def test_slide(self):
         whole = self.whole(SLIDE, "--ranks-fluid", "2", "--ranks-dem", "2")
         rows = results.read_history(whole)
