@@ -1,10 +1,11 @@
 """The end of mpirun, which may come after that of its programs, or never.
 
 Open MPI 4.1 with PMIx 4.2 (Debian 12) can lock itself in PMIx_server_finalize once its last rank has ended: seen
-with killed ranks, one run in hundreds. All its children are then dead and not buried."""
+once, in a test that kills ranks. All its children are then dead and not buried."""
 
 from __future__ import annotations
 
+import math
 import subprocess
 import time
 from pathlib import Path
@@ -13,9 +14,10 @@ DEAD_FOR_S = 10.0  # a sound mpirun leaves within a second
 LOOK_S = 1.0
 
 
-def wait(mpirun: subprocess.Popen, dead_for_s: float = DEAD_FOR_S) -> int | None:
-    """Exit status of mpirun; None where it was ended here, since its programs had been dead for `dead_for_s`."""
-    alive = time.monotonic()
+def wait(mpirun: subprocess.Popen, dead_for_s: float = DEAD_FOR_S, timeout_s: float = math.inf) -> int | None:
+    """Exit status of mpirun; None where it was ended here, since its programs had been dead for `dead_for_s`.
+    subprocess.TimeoutExpired where programs still run after `timeout_s`."""
+    start = alive = time.monotonic()
     while True:
         try:
             return mpirun.wait(timeout=LOOK_S)
@@ -23,6 +25,8 @@ def wait(mpirun: subprocess.Popen, dead_for_s: float = DEAD_FOR_S) -> int | None
             pass
         if not all_dead(mpirun.pid):
             alive = time.monotonic()
+            if alive - start > timeout_s:
+                raise subprocess.TimeoutExpired(mpirun.args, timeout_s)
         elif time.monotonic() - alive > dead_for_s:
             mpirun.kill()
             mpirun.wait()

@@ -14,7 +14,7 @@ from launch.study_results import Row
 
 COLOURS = ("#1f5f99", "#b03a2e", "#2a7f3f", "#8e5bb5", "#b07d1f", "#444444")
 MARKERS = "osD^vP"
-SMALLEST = 1e-12  # errors below are drawn at the bottom
+SMALLEST = 1e-9  # errors below are drawn hollow, at the bottom
 
 
 def write(path: Path, title: str, groups: dict[str, list[Row]], quantities: list[Quantity],
@@ -36,7 +36,7 @@ def write(path: Path, title: str, groups: dict[str, list[Row]], quantities: list
             axis.set_minor_formatter(NullFormatter())
         by = next((row.by for rows in groups.values() for row in rows), "wall")
         axes.set_xlabel("run time [s]" if by == "wall" else "processor time [s]", fontsize=8)
-        axes.set_ylabel(f"error of {quantity.name} [-]", fontsize=8)
+        axes.set_ylabel(f"error of {quantity.name} [-] (hollow: below {SMALLEST:g})", fontsize=8)
         axes.tick_params(labelsize=7, which="both")
         axes.grid(alpha=0.3)
         axes.margins(x=0.25, y=0.1)
@@ -59,6 +59,9 @@ def _draw(axes, rows: list[Row], quantity: str, name: str, index: int, all_label
     spread = [row.time_spread_s / 2 for row in taken]
     axes.errorbar(costs, errors, xerr=spread if any(spread) else None, fmt=MARKERS[index % len(MARKERS)],
                   color=colour, markersize=4, elinewidth=0.7, label=name or None)
+    for cost, row, error in zip(costs, taken, errors):
+        if row.errors[quantity] <= SMALLEST:
+            axes.plot(cost, error, MARKERS[index % len(MARKERS)], color="white", markersize=2.5, zorder=3)
     best = front(costs, errors)
     if not all_labels:
         axes.plot([costs[i] for i in best], [errors[i] for i in best], color=colour, linewidth=1)

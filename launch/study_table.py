@@ -19,8 +19,7 @@ def header(rows: list[Row], quantities: list[Quantity]) -> list[str]:
         unit = f" [{quantity.unit}]" if quantity.unit not in ("", "-") else ""
         names += [quantity.name + unit, f"{quantity.name} reference", f"{quantity.name} error"]
     return names + ["error", "is_reference", "on_front", "wall_s", "wall_spread_s", "core_s", "processor_s",
-                    "repeats",
-                    *COUNTS, *_budgets(rows), "version", "reason"]
+                    "repeats", *COUNTS, *_budgets(rows), "version", "reason"]
 
 
 def _budgets(rows: list[Row]) -> list[str]:
@@ -65,7 +64,8 @@ def lines(rows: list[Row]) -> list[str]:
         if not row.counts and row.worst is not None:
             error = "reference" if row.is_reference else "as ref."
         mark = "*" if row.on_front else " "
-        found.append(f"{mark} {row.point.label:<{width}}  {error:>9}  {row.wall_s:9.2f}  {row.core_s:9.2f}  {row.processor_s:10.2f}")
+        found.append(f"{mark} {row.point.label:<{width}}  {error:>9}  {row.wall_s:9.2f}  {row.core_s:9.2f}"
+                     f"  {row.processor_s:10.2f}")
     return found
 
 

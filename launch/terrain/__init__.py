@@ -45,7 +45,10 @@ def prepare(case, run_dir: Path, say) -> None:
     # Wider than the period: the triangles' rims then touch no particle.
     files.write_wall_stl(section, dem / "wall.stl", -0.5 * width, 1.5 * width, longest=4.0 * width)
     if case.get("dem.engine") == "lammps":
-        half_spaces.write(section.wall, dem / "wall.in")
+        try:
+            half_spaces.write(section.wall, dem / "wall.in")
+        except ValueError as error:
+            raise InputError(case.file, "geometry.profile", case.get("geometry.profile"), str(error)) from error
     slide.make(case, section, width, dem, say)
 
 

@@ -28,6 +28,13 @@ class End(unittest.TestCase):
     def test_its_own_status_counts_where_it_leaves(self) -> None:
         self.assertEqual(self.wait("import sys; sys.exit(3)")[0], 3)
 
+    def test_programs_that_still_run_are_an_error_after_the_timeout(self) -> None:
+        child = subprocess.Popen([sys.executable, "-c", HANGS, "30"])
+        self.addCleanup(child.wait)
+        self.addCleanup(child.kill)
+        with self.assertRaises(subprocess.TimeoutExpired):
+            mpirun_end.wait(child, dead_for_s=1.5, timeout_s=2)
+
     def test_without_programs_it_is_left_alone(self) -> None:
         self.assertEqual(self.wait("import time; time.sleep(4)")[0], 0)
 

@@ -264,7 +264,7 @@ def run_and_kill(line, chance, seconds):
     timer = threading.Timer(chance.uniform(0.1, 0.8) * seconds, strike) if chance else None
     if timer:
         timer.start()
-    status = mpirun_end.wait(job)  # None: it hung after its programs, as mpirun may where one was killed
+    status = mpirun_end.wait(job, timeout_s=60)  # None: it hung after its programs, as mpirun may where one was killed
     if timer:
         timer.cancel()
     return status, len(hit)

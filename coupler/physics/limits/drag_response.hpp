@@ -18,17 +18,17 @@ constexpr double mild_stiffness = 0.3;
 constexpr double dense_mild_stiffness = 0.15;  ///< at solid fractions above dense_solid_fraction
 constexpr double dense_solid_fraction = 0.45;
 constexpr double accurate_mixture_stiffness = 0.2;
-/// The stiff regime, with both engines: settling, suspensions and frozen beds stayed right to here,
-/// beds held by contacts to 1e7 (beyond, their contacts take hours); suspensions ended in lost
-/// particles at 8e9.
+/// The stiff regime, with both engines: settling, suspensions and frozen beds stayed right to here;
+/// beds held by contacts were tried to 1e7; suspensions ended in lost particles at 8e9.
 constexpr double largest_stiffness = 1e9;
 /// From here on it also damps contact waves (and from mild_stiffness compression, up to
 /// stiff_added_mass_number).
 constexpr double damping_stiffness = 0.1;
 
 /// The mild regime in a crowd that may settle, by continuity: x (phi/eps)^2. With both engines
-/// right at 1.28 (phi 0.5), 1.24 (0.64), 1.36 (0.7), 0.8 (0.74); grown at 1.83, 1.54, 1.63, 1.2.
-/// The same x caps dilute ones: a free suspension was right within 4 % at 1.7 and 11 % off at 3.3.
+/// right at 1.28 (phi 0.5), 1.24 (0.64), 1.36 (0.7), 0.8 (0.74: 7 % off, as in the stiff regime);
+/// grown, or wrong by a third and more, at 1.83, 1.54, 1.63, 1.2. The same x caps dilute ones: a
+/// free suspension was right within 4 % at 1.7 and 11 % off at 3.3.
 inline double largest_mild_stiffness(double solid_fraction) {
   double const pushed = solid_fraction / (1 - solid_fraction);
   return 1 / std::max(1.0, pushed * pushed);

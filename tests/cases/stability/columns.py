@@ -147,7 +147,8 @@ def pile(group: str, name: str, *, kn: float, diameter: float = 5.0, window: flo
          lattice: str = "sc", gap: float = 0.0, more: dict[str, object] | None = None, **fields) -> Scene:
     """Touching columns of boulders on a floor under water take up their submerged weight. The error
     is how far spheres that should touch lie in each other, over their diameter. `step` and `damping` over
-    sqrt(m/kn) and its inverse (step: 0.3, or 0.2 where twelve touch each); `gap` between the spheres at first, over the diameter."""
+    sqrt(m/kn) and its inverse (step: 0.3, or 0.2 where twelve touch each); `gap` between the spheres at first,
+    over the diameter."""
     gravity, mass = 9.81, ROCK * spheres.volume(diameter)
     weight = (ROCK - fluid) * spheres.volume(diameter) * gravity
     spacing = diameter * (1 + gap) * (1 if lattice == "sc" else math.sqrt(2))

@@ -97,7 +97,8 @@ def _sizes() -> list[Scene]:
              for cell, n, m in ((0.5, 6, 3), (0.25, 12, 6), (0.15, 16, 5), (0.1, 24, 8))]
     found += [lone("cell over diameter", f"{cell:g}", cell=cell, cells=n, kernel=kernel)
               for cell, n, kernel in ((1, 10, 3), (5, 8, 15), (40, 4, 120))]
-    found += [lone("kernel over diameter", f"{kernel:g}", kernel=kernel, more={"parameters.contact_stiffness": 0.1}) for kernel in (3, 1.5, 0.9, 0.6, 0.45, 0.3)]
+    found += [lone("kernel over diameter", f"{kernel:g}", kernel=kernel, more={"parameters.contact_stiffness": 0.1})
+              for kernel in (3, 1.5, 0.9, 0.6, 0.45, 0.3)]
     found += [lone("sub-steps in a window", f"{n}", more={"parameters.dem_dt": 1e-3 / n, "parameters.contact_stiffness": 0.1})
               for n in (1, 10, 100, 1000)]
     return found
