@@ -1,6 +1,6 @@
 // slidewave_dem that also records what crosses the coupling: record_dem DIR appends to
 // DIR/answers_<rank>.bin, for each window and particle, 12 doubles: window, radius, position (3),
-// K, u_f (3), F (3), as in docs/protocol.md.
+// K, u_f (3), F (3), as in docs/protocol.md; F is all that acts beside drag, lift among it.
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -12,49 +12,48 @@ namespace {
 
 using slidewave::Table;
 
-class Recorder final : public slidewave::ParticleEngine {
+class Recorder final : public slidewave::dem::LiggghtsEngine {
  public:
   Recorder(slidewave::Session& session, std::filesystem::path const& file)
-      : engine_(session), out_(file, std::ios::binary) {}
-
-  slidewave::Box bounds() const override { return engine_.bounds(); }
-  std::vector<slidewave::Quantity> quantities() const override { return engine_.quantities(); }
-  std::vector<slidewave::Feature> features() const override { return engine_.features(); }
-  std::optional<slidewave::Vec3> received_impulse() const override {
-    return engine_.received_impulse();
-  }
+      : LiggghtsEngine(session), out_(file, std::ios::binary) {}
 
   void gather(Table& particles) override {
-    engine_.gather(particles);
+    LiggghtsEngine::gather(particles);
     sent_ = &particles;
   }
 
   void apply(Table const& answers) override {
     for (long i = 0; i < answers.size(); ++i) {
-      put(static_cast<double>(window_));
-      put_column(*sent_, "radius", i);
-      put_column(*sent_, "position", i);
-      for (char const* name : {"drag", "fluid_velocity", "force"}) {
-        put_column(answers, name, i);
-      }
+      put(Scalar(static_cast<double>(window_)));
+      put(column<1>(*sent_, "radius", i));
+      put(column<3>(*sent_, "position", i));
+      put(column<1>(answers, "drag", i));
+      put(column<3>(answers, "fluid_velocity", i));
+      put(column<3>(answers, "force", i) + column<3>(answers, "exchanged_force", i));
     }
     ++window_;
-    engine_.apply(answers);
+    LiggghtsEngine::apply(answers);
   }
 
-  void advance(slidewave::Window const& window) override { engine_.advance(window); }
-
  private:
-  void put(double value) { out_.write(reinterpret_cast<char const*>(&value), sizeof(value)); }
+  using Scalar = Eigen::Vector<double, 1>;
 
-  void put_column(Table const& table, char const* name, long row) {
-    Table::ConstColumn const column = table[name];
-    for (long k = 0; k < column.rows(); ++k) {
-      put(column(k, row));
+  /// A particle's values; zero where no model of the scene fills the column.
+  template <int components>
+  static Eigen::Vector<double, components> column(Table const& table, char const* name, long row) {
+    if (!table.has(name)) {
+      return Eigen::Vector<double, components>::Zero();
+    }
+    return table[name].col(row);
+  }
+
+  template <typename Values>
+  void put(Eigen::MatrixBase<Values> const& values) {
+    for (double const value : values.eval()) {
+      out_.write(reinterpret_cast<char const*>(&value), sizeof(value));
     }
   }
 
-  slidewave::dem::LiggghtsEngine engine_;
   std::ofstream out_;
   Table const* sent_ = nullptr;
   long window_ = 0;
