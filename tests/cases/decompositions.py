@@ -13,9 +13,11 @@ from pathlib import Path
 import numpy as np
 from scipy.spatial import cKDTree
 
-from launch import cli, foam_file, foam_mesh, places, ranks
+from launch import cli, foam_file, foam_mesh, places, progress, ranks
+from launch import prepare as launch_prepare
 
-WINDOW, RADIUS, POSITION, DRAG = 0, 1, slice(2, 5), 5  # columns of record_dem.cpp
+COLUMNS = 12  # of record_dem.cpp
+WINDOW, RADIUS, POSITION, DRAG = 0, 1, slice(2, 5), 5
 VELOCITY, FORCE = slice(6, 9), slice(9, 12)
 START, LATER = "at the start", "in the windows"
 
@@ -25,6 +27,21 @@ def prepare(case: Path, folder: Path, fluid: int, dem: int, *words: str) -> None
     status = cli.main(["run", str(case), "--out", str(folder), "--ranks-fluid", str(fluid), "--ranks-dem", str(dem),
                        "--dry-run", *words])
     assert status == 0
+
+
+def cut_fluid(folder: Path, axis: int) -> None:
+    """Divides the mesh of a run directory for several fluid ranks anew, across `axis`."""
+    count = len(foam_mesh.parts(folder / "fluid"))
+    pieces = [count if k == axis else 1 for k in range(3)]
+    (folder / "fluid/system/decomposeParDict").write_text(launch_prepare.DECOMPOSE.format(ranks=count, n=pieces))
+    progress.utility(["decomposePar", "-force", "-case", str(folder / "fluid")], folder / "log.decomposePar",
+                     places.openfoam_environment(), folder)
+
+
+def cut_particles(folder: Path, grid: str) -> None:
+    """Has LIGGGHTS deal its box out to ranks by `grid`, e.g. "1 1 2", not by the longest extent."""
+    script = folder / "dem/in.setup"
+    script.write_text(script.read_text().replace("newton ", f"processors {grid}\nnewton ", 1))
 
 
 def tighten(folder: Path, tolerance: float) -> None:
@@ -44,10 +61,16 @@ def run(folder: Path, fluid: int, dem: int, fluid_engine: str = "openfoam", time
     subprocess.run(words, env=places.openfoam_environment(), check=True, timeout=timeout_s)
 
 
+def all_have_particles(folder: Path) -> bool:
+    """Whether every DEM rank answered for some, unless there is but one particle."""
+    sizes = [file.stat().st_size for file in folder.glob("answers_*.bin")]
+    return min(sizes) > 0 or len(np.unique(answers(folder)[:, WINDOW])) == sum(sizes) // (8 * COLUMNS)
+
+
 def answers(folder: Path) -> np.ndarray:
     """Rows of all ranks, (n, 12); see record_dem.cpp."""
     files = sorted(folder.glob("answers_*.bin"))
-    return np.concatenate([np.fromfile(f).reshape(-1, 12) for f in files])
+    return np.concatenate([np.fromfile(f).reshape(-1, COLUMNS) for f in files])
 
 
 @functools.cache
@@ -73,7 +96,8 @@ def matched(one: np.ndarray, other: np.ndarray, window: int) -> tuple[np.ndarray
     """Rows of a window, the same particle in the same row."""
     a, b = (rows[rows[:, WINDOW] == window] for rows in (one, other))
     distance, where = cKDTree(b[:, POSITION]).query(a[:, POSITION])
-    assert len(a) == len(b) == len(np.unique(where)) and np.all(distance < 1e-2 * a[:, RADIUS])
+    same = len(a) == len(b) == len(np.unique(where)) and np.all(distance < 1e-2 * a[:, RADIUS])
+    assert same, f"window {window}: {len(a)} and {len(b)} particles, up to {distance.max():.2g} m apart"
     return a, b[where]
 
 

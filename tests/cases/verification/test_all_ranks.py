@@ -40,6 +40,22 @@ SETTINGS = {
     "surface_grains": ["coupling.reaction=two_way"],
     "water_entry": ["parameters.start=0.0216"],  # the lowest spheres touch the water
 }
+# Where a cut across the longest extent leaves ranks without particles: axis of the fluid's cuts, grid of two DEM ranks.
+# slide_wave is not cut across its ramp ("1 1 2"): a grain on the ramp's mesh that comes near that cut moves 3e-6 m aside in a
+# window, with and without friction, before the fluid differs; not explained yet.
+FLUID_CUTS = {"piston": 2, "slide_wave": 2, "submerged_collapse": 2}
+DEM_CUTS = {"dam_break_grains": "1 2 1", "piston": "1 1 2", "slide_wave": "1 2 1", "still_bed": "2 1 1",
+            "submerged_collapse": "1 1 2", "water_entry": "2 1 1"}
+
+# Models that no case has as it stands: name of the test, case, settings.
+STIRRED = ["coupling.regime=mild", "parameters.fluid_viscosity=1e-3", "parameters.noise=5e-5", "parameters.contact_stiffness=5"]
+MORE = {
+    "suspension_virtual_mass": ("suspension", [*STIRRED, "models.virtual_mass=zuber"]),
+    "suspension_concurrent": ("suspension", [*STIRRED, "coupling.scheme=concurrent"]),
+    "suspension_formulation_b": ("suspension", [*STIRRED, "models.formulation=B"]),
+    "channel_lift": ("channel", ["models.viscous_force=false", "models.torque=none", "models.lift=saffman_mei",
+                                 "coupling.reaction=two_way", "coupling.regime=mild", "coupling.smoothing_length=4e-3"]),
+}
 AFTER_OF = {
     # Water at rest: K follows 0.15 Re^0.68, steepest at no slip, where a u_f that is wrong by 1e-11 m/s makes this of it.
     ("still_bed", "K"): 6e-7,
@@ -52,19 +68,25 @@ class Scene:
     """A case, what it couples, and its scales."""
 
     def __init__(self, name: str) -> None:
-        self.directory = CASES / name
+        case, more = MORE.get(name, (name, SETTINGS.get(name, [])))
+        self.name = name
+        self.directory = CASES / case
         data = tomllib.loads((self.directory / "case.toml").read_text())
         self.fluid_engine = data.get("fluid", {}).get("engine", "openfoam")
         self.particles = data.get("dem", {}).get("engine") != "none"
         self.parameters = data["parameters"]
         window = data["coupling"]["window"]
         self.fall = window * float(np.linalg.norm(data["physics"]["gravity"]))
-        settings = [f"case.end_time={WINDOWS * window:.12g}", f"output.interval={window}", *SETTINGS.get(name, [])]
+        settings = [f"case.end_time={WINDOWS * window:.12g}", f"output.interval={window}", *more]
         self.words = [word for setting in settings for word in ("--set", setting)]
 
     def run(self, folder: Path, fluid: int, dem: int) -> None:
         with redirect_stdout(io.StringIO()):
             decompositions.prepare(self.directory, folder, fluid, dem, *self.words)
+        if fluid > 1 and self.name in FLUID_CUTS:
+            decompositions.cut_fluid(folder, FLUID_CUTS[self.name])
+        if dem > 1 and self.name in DEM_CUTS:
+            decompositions.cut_particles(folder, DEM_CUTS[self.name])
         decompositions.tighten(folder, RESIDUAL)
         decompositions.run(folder, fluid, dem if self.particles else 0, self.fluid_engine)
 
@@ -119,6 +141,8 @@ class AllRanks(unittest.TestCase):
             folder = base / f"{fluid}_{dem}"
             scene.run(folder, fluid, dem or 1)
             self.assertEqual(len(list(folder.glob("answers_*.bin"))), dem)
+            if scene.particles:
+                self.assertTrue(decompositions.all_have_particles(folder))
             if scene.fluid_engine == "openfoam":
                 self.assertEqual(len(foam_mesh.parts(folder / "fluid")), fluid)
             for (quantity, stage), error in scene.differences(base / "1_1", folder).items():
@@ -134,8 +158,8 @@ class AllRanks(unittest.TestCase):
 
 
 def _add_tests() -> None:
-    for directory in sorted(path for path in CASES.iterdir() if path.is_dir()):
-        setattr(AllRanks, f"test_full_{directory.name}", lambda self, name=directory.name: self.agree(name))
+    for name in [*sorted(path.name for path in CASES.iterdir() if path.is_dir()), *MORE]:
+        setattr(AllRanks, f"test_full_{name}", lambda self, name=name: self.agree(name))
 
 
 _add_tests()
