@@ -225,13 +225,10 @@ void FixSlidewave::turn() {
 }
 
 void FixSlidewave::kick() {
-  double const* const drag = numbers_of("drag");
-  double* const* const fluid = vectors_of("fluid_velocity");
-  double const* const added = numbers_of("added_mass");
-  double* const* const extra = vectors_of("force");
-  double* const* const exchanged = vectors_of("exchanged_force");
-  double* const* const impulse = vectors_of("impulse");
-  bool const plain = !drag && !added && !exchanged;
+  KickColumns const columns{
+      numbers_of("drag"),  vectors_of("fluid_velocity"),  numbers_of("added_mass"),
+      vectors_of("force"), vectors_of("exchanged_force"), vectors_of("impulse")};
+  bool const plain = !columns.drag && !columns.added && !columns.exchanged;
   bool const turns = has("rotational_drag");
   if ((!plain || turns) && !factors_valid_) {
     update_factors();
@@ -239,45 +236,81 @@ void FixSlidewave::kick() {
   if (turns) {
     turn();
   }
+  bool const usual =
+      columns.drag && columns.extra && columns.impulse && !columns.added && !columns.exchanged;
+  if (usual && atom->nlocal > 0) {
+    kick_usual(columns);
+    return;
+  }
+  for (int i = 0; i < atom->nlocal; ++i) {
+    kick_any(i, columns, received_);
+  }
+}
+
+// Drag and a force, on free atoms without a branch: this runs twice a step, and waits for memory.
+void FixSlidewave::kick_usual(KickColumns const& columns) {
   double const half_dt_s = 0.5 * update->dt;
-  std::array<double, 3> const none{};
-  std::array<double, 3> received = received_, unkept{};
-  double const* other = other_force_N_.data();
-  for (int i = 0; i < atom->nlocal; ++i, other += 3) {
-    double const* const u = fluid ? fluid[i] : none.data();
-    double const* const extra_N = extra ? extra[i] : none.data();
-    double const* const given_N = exchanged ? exchanged[i] : none.data();
-    double const* const v = atom->v[i];
-    double* const booked = impulse ? impulse[i] : unkept.data();
-    double* const f = atom->f[i];
-    // Once an atom, and divisions only where there is something to divide: this runs twice a step.
-    slidewave::KickFactors const factors =
-        plain ? slidewave::KickFactors() : factors_[static_cast<std::size_t>(i)];
-    double const drag_kg_s = drag ? drag[i] : 0.0, added_kg = added ? added[i] : 0.0,
-                 mass_kg = atom->rmass[i] + added_kg;
-    double const response_s_kg = slidewave::mean_response(factors, mass_kg, half_dt_s);
-    double const own_share = added ? atom->rmass[i] / mass_kg : 1.0,
-                 added_share = added ? added_kg / mass_kg : 0.0;
-    int const mask = atom->mask[i];
-    for (int axis = 0; axis < 3; ++axis) {
-      double share = 0;
-      if (held_.held(mask, axis)) {
-        f[axis] = other[axis];
-        share = (drag_kg_s * (u[axis] - v[axis]) + given_N[axis]) * half_dt_s;
-      } else {
-        double const all_N = other[axis] + extra_N[axis] + given_N[axis];
-        double const moves_N =
-            slidewave::effective_force(factors, drag_kg_s, u[axis], v[axis], all_N);
-        f[axis] = moves_N * own_share;
-        share = slidewave::drag_impulse_of_response(factors, response_s_kg, drag_kg_s, u[axis],
-                                                    v[axis], all_N, half_dt_s) +
-                (given_N[axis] - moves_N * added_share) * half_dt_s;
-      }
-      received[static_cast<unsigned>(axis)] += share;
-      booked[axis] += share;
+  double const *u = columns.fluid[0], *extra_N = columns.extra[0], *v = atom->v[0],
+               *other_N = other_force_N_.data();
+  double *f = atom->f[0], *booked = columns.impulse[0];
+  std::array<double, 3> received = received_;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (!held_.free(atom->mask[i])) {
+      kick_any(i, columns, received);
+      u += 3, extra_N += 3, v += 3, other_N += 3, f += 3, booked += 3;
+      continue;
+    }
+    slidewave::KickFactors const factors = factors_[static_cast<std::size_t>(i)];
+    double const drag_kg_s = columns.drag[i];
+    double const response_s_kg = slidewave::mean_response(factors, atom->rmass[i], half_dt_s);
+    for (double& all : received) {
+      double const all_N = *other_N++ + *extra_N++;
+      double const share = slidewave::drag_impulse_of_response(factors, response_s_kg, drag_kg_s,
+                                                               *u, *v, all_N, half_dt_s);
+      *f++ = slidewave::effective_force(factors, drag_kg_s, *u++, *v++, all_N);
+      *booked++ += share;
+      all += share;
     }
   }
   received_ = received;
+}
+
+void FixSlidewave::kick_any(int i, KickColumns const& columns, std::array<double, 3>& received) {
+  std::array<double, 3> const none{};
+  std::array<double, 3> unkept{};
+  double const half_dt_s = 0.5 * update->dt;
+  double const* const u = columns.fluid ? columns.fluid[i] : none.data();
+  double const* const extra_N = columns.extra ? columns.extra[i] : none.data();
+  double const* const given_N = columns.exchanged ? columns.exchanged[i] : none.data();
+  double const *const v = atom->v[i], *const other = other_force(i);
+  double* const booked = columns.impulse ? columns.impulse[i] : unkept.data();
+  double* const f = atom->f[i];
+  bool const plain = !columns.drag && !columns.added && !columns.exchanged;
+  slidewave::KickFactors const factors =
+      plain ? slidewave::KickFactors() : factors_[static_cast<std::size_t>(i)];
+  double const drag_kg_s = columns.drag ? columns.drag[i] : 0.0,
+               added_kg = columns.added ? columns.added[i] : 0.0,
+               mass_kg = atom->rmass[i] + added_kg;
+  double const response_s_kg = slidewave::mean_response(factors, mass_kg, half_dt_s);
+  double const own_share = columns.added ? atom->rmass[i] / mass_kg : 1.0,
+               added_share = columns.added ? added_kg / mass_kg : 0.0;
+  for (int axis = 0; axis < 3; ++axis) {
+    double share = 0;
+    if (held_.held(atom->mask[i], axis)) {
+      f[axis] = other[axis];
+      share = (drag_kg_s * (u[axis] - v[axis]) + given_N[axis]) * half_dt_s;
+    } else {
+      double const all_N = other[axis] + extra_N[axis] + given_N[axis];
+      double const moves_N =
+          slidewave::effective_force(factors, drag_kg_s, u[axis], v[axis], all_N);
+      f[axis] = moves_N * own_share;
+      share = slidewave::drag_impulse_of_response(factors, response_s_kg, drag_kg_s, u[axis],
+                                                  v[axis], all_N, half_dt_s) +
+              (given_N[axis] - moves_N * added_share) * half_dt_s;
+    }
+    received[static_cast<unsigned>(axis)] += share;
+    booked[axis] += share;
+  }
 }
 
 double FixSlidewave::compute_vector(int axis) {

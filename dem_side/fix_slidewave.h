@@ -97,8 +97,19 @@ class FixSlidewave : public Fix {
   /// A column's values of all atoms; null where it was not named.
   double* numbers_of(std::string const& column) const;
   double** vectors_of(std::string const& column) const;
+  /// What a kick reads and writes of the columns; null where one was not named.
+  struct KickColumns {
+    double const* drag;
+    double* const* fluid;
+    double const* added;
+    double* const* extra;
+    double* const* exchanged;
+    double* const* impulse;
+  };
   void update_factors();
   void kick();
+  void kick_usual(KickColumns const& columns);
+  void kick_any(int i, KickColumns const& columns, std::array<double, 3>& received);
   void turn();
 
   std::map<std::string, Column> columns_;

@@ -20,6 +20,11 @@ class HeldAtoms {
   bool held(int mask, int axis) const {
     return (mask & held_groups_[static_cast<unsigned>(axis)]) || !(mask & integrated_groups_);
   }
+  /// Held along no axis.
+  bool free(int mask) const {
+    return (mask & integrated_groups_) &&
+           !(mask & (held_groups_[0] | held_groups_[1] | held_groups_[2]));
+  }
   /// Axes (of "xyz") along which some atom is held that is free along another. Collective.
   std::string partly_held(LAMMPS_NS::LAMMPS& lmp) const;
 

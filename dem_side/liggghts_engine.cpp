@@ -9,6 +9,7 @@
 #include <cstring>
 
 #include "atom.h"
+#include "atoms_gather.h"
 #include "atoms_state.h"
 #include "contact_scale.h"
 #include "domain.h"
@@ -143,7 +144,7 @@ void LiggghtsEngine::set_up_scene() {
 
 void LiggghtsEngine::observe() {
   if (report_->wants_particles()) {
-    LiggghtsEngine::gather(seen_);  // the constructor observes too
+    gather_atoms(*lmp_, seen_);
   }
   bool const wanted = report_->wants_overlap(lmp_->update->ntimestep);
   quantities_ = report_->observe(seen_, wanted ? max_overlap(*lmp_) : 0.0);
@@ -207,125 +208,6 @@ std::vector<Feature> LiggghtsEngine::features() const {
           {"particle_layers", session_.scene().number("output.layers", 0.0) > 0, "output.layers"}};
 }
 
-void LiggghtsEngine::gather(Table& particles) {
-  LAMMPS_NS::Atom const& atom = *lmp_->atom;
-  particles.resize(atom.nlocal);
-  auto const fill = [&](char const* name, auto const& value) {
-    if (particles.has(name)) {
-      Table::Column column = particles[name];
-      for (int i = 0; i < atom.nlocal; ++i) {
-        value(i, column.col(i));
-      }
-    }
-  };
-  auto const copy = [&](char const* name, auto const& first) {  // columns that lie in one piece
-    if (atom.nlocal > 0 && particles.has(name)) {
-      Table::Column column = particles[name];
-      std::copy_n(first(), column.size(), column.data());
-    }
-  };
-  fill("id", [&](int i, auto out) { out[0] = atom.tag[i]; });
-  fill("position", [&](int i, auto out) { out = wrapped(*lmp_, atom.x[i]); });
-  copy("velocity", [&] { return atom.v[0]; });
-  fill("angular_velocity", [&](int i, auto out) { out = Vec3(atom.omega[i]); });
-  fill("type", [&](int i, auto out) { out[0] = atom.type[i]; });
-  copy("radius", [&] { return atom.radius; });
-  copy("mass", [&] { return atom.rmass; });
-  for (char const* name : {"impulse", "memory"}) {
-    if (!kick_ || !kick_->has(name)) {
-      fill(name, [](int, auto out) { out.setZero(); });
-    } else if (particles.has(name)) {
-      auto const kept = kick_->values(name);
-      std::copy_n(kept.first, static_cast<long>(kept.components) * atom.nlocal,
-                  particles[name].data());
-    }
-  }
-  if (particles.has("travel")) {
-    extras_wanted_ = true;
-    gather_extras(particles);
-  }
-}
-
-// Before the first set-up nothing is known of forces and contacts, and the window has no length.
-void LiggghtsEngine::gather_extras(Table& particles) {
-  InsideLiggghts const inside;
-  bool const known = loop_->running();
-  if (known) {
-    touching_.count();
-  }
-  LAMMPS_NS::Atom const& atom = *lmp_->atom;
-  auto travel = particles["travel"], force = particles["other_force"],
-       stiffest = particles["stiffest"];
-  Vec3 const g = gravity(*lmp_).value_or(Vec3::Zero());
-  for (int i = 0; i < atom.nlocal; ++i) {
-    if (!known) {
-      travel.col(i).setZero();
-      force.col(i).setZero();
-      stiffest(0, i) = 0;
-      continue;
-    }
-    travel.col(i) = Vec3(kick_->travel(i).data());
-    force.col(i) = Vec3(kick_->other_force(i));
-    Vec3 const weight = atom.rmass[i] * g;
-    bool const pushed = (force.col(i) - weight).norm() > 1e-9 * weight.norm();  // by a wall, say
-    stiffest(0, i) = kick_->held(i) ? held_stiffness
-                     : pushed || touching_.touches(i)
-                         ? stiffest_contact(atom.rmass[i], loop_->dt_s())
-                         : 0;
-  }
-}
-
-// Columns are known with the first answers only; the fix goes last, to see every other force.
-void LiggghtsEngine::add_kick() {
-  lmp_->input->one(kick_command_.c_str());
-  kick_ = static_cast<FixSlidewave*>(lmp_->modify->find_fix_id("slidewave_kick"));
-  if (audit_) {
-    audit_->add_fluid();
-  }
-  if (extras_wanted_) {
-    touching_.add(*lmp_);
-  }
-}
-
-void LiggghtsEngine::apply(Table const& answers) {
-  InsideLiggghts const inside;
-  LAMMPS_NS::Atom const& atom = *lmp_->atom;
-  if (!kick_) {
-    kick_command_ = "fix slidewave_kick all slidewave";
-    kick_command_ += answers.has("drag") ? " drag 0 fluid_velocity 0 0 0" : "";
-    kick_command_ += answers.has("force") ? " force 0 0 0" : "";
-    kick_command_ += answers.has("added_mass") ? " added_mass 0" : "";
-    kick_command_ += answers.has("exchanged_force") ? " exchanged_force 0 0 0" : "";
-    kick_command_ += answers.has("rotational_drag") ? " rotational_drag 0 fluid_spin 0 0 0" : "";
-    bool const books = answers.has("drag") || answers.has("exchanged_force");
-    kick_command_ += books ? " impulse" : "";
-    if (answers.has("memory")) {
-      kick_command_ += " memory " + std::to_string(answers["memory"].rows());
-    }
-    kick_command_ += extras_wanted_ ? " start" : "";
-    add_kick();
-  }
-  for (char const* name : {"drag", "fluid_velocity", "force", "added_mass", "exchanged_force",
-                           "rotational_drag", "fluid_spin", "memory"}) {
-    if (!answers.has(name)) {
-      continue;
-    }
-    Table::ConstColumn const column = answers[name];
-    bool const positive = std::strcmp(name, "drag") == 0;
-    // Taken together first, which is cheap: the sum of 0 x is 0, or not a number.
-    bool const fine =
-        column.size() == 0 || ((0.0 * column).sum() == 0 && !(positive && column.minCoeff() < 0));
-    for (int i = 0; i < atom.nlocal && !fine; ++i) {
-      if (!column.col(i).allFinite() || (positive && column(0, i) < 0)) {
-        session_.fail("particle " + std::to_string(atom.tag[i]) + " received a bad " + name + ": " +
-                      std::to_string(column(0, i)));
-      }
-    }
-    std::copy_n(column.data(), column.size(), kick_->values(name).first);
-  }
-  kick_->begin_window();
-}
-
 std::optional<Vec3> LiggghtsEngine::received_impulse() const {
   return kick_ ? std::optional<Vec3>(kick_->received().data()) : std::nullopt;
 }
@@ -360,14 +242,9 @@ bool LiggghtsEngine::passes_state() const {
 
 void LiggghtsEngine::pass(State& state) {
   InsideLiggghts const inside;
-  state.pass("liggghts.kick", kick_command_);
-  state.pass("liggghts.extras", extras_wanted_);
   report_->pass(state);
   if (!state.saving()) {
     append_to_dumps();
-    if (!kick_command_.empty()) {
-      add_kick();
-    }
   }
   loop_->pass(state);
   pass_atoms(*lmp_, state, kick_);

@@ -30,6 +30,7 @@ class LiggghtsEngine : public ParticleEngine {
   Box bounds() const override;
   std::vector<Quantity> quantities() const override { return quantities_; }
   std::vector<Feature> features() const override;
+  void expect(Table const& particles, Table const& answers) override;
   void gather(Table& particles) override;
   std::vector<std::string> extras() const override {
     return {"travel", "other_force", "stiffest", "type"};
@@ -37,6 +38,7 @@ class LiggghtsEngine : public ParticleEngine {
   std::vector<std::string> takes() const override {
     return {"added_mass", "exchanged_force", "rotational_drag", "fluid_spin"};
   }
+  void offer(Table& answers) override;
   void apply(Table const& answers) override;
   void advance(Window const& window) override;
   std::optional<Vec3> received_impulse() const override;
@@ -47,7 +49,6 @@ class LiggghtsEngine : public ParticleEngine {
   void set_up_scene();
   void state_facts();
   void gather_extras(Table& particles);
-  void add_kick();
   void append_to_dumps() const;
   void check_numbers() const;
   void observe();
@@ -61,8 +62,7 @@ class LiggghtsEngine : public ParticleEngine {
   std::unique_ptr<EnergyAudit> audit_;     // none where it is off or cannot close
   bool drift_told_ = false;
   LAMMPS_NS::FixSlidewave* kick_ = nullptr;  // none in a dry scene
-  std::string kick_command_;
-  Table seen_;  // what the report is made from
+  Table seen_;                               // what the report is made from
   std::vector<Quantity> quantities_;
   Touching touching_;
   bool extras_wanted_ = false;

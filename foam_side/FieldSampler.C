@@ -41,10 +41,6 @@ void FieldSampler::weigh() {
   steps_ = flow_.steps();
 }
 
-void FieldSampler::weighParticles() {
-  if (!at_particles_) sample({});
-}
-
 void FieldSampler::put(std::string const& field, int row, ParticleKernel::Fields& fields) const {
   auto const scalars = [&](scalarField const& values) {
     forAll(values, cell) fields(row, cell) = values[cell];
@@ -116,31 +112,25 @@ int FieldSampler::plan(std::vector<Sample> const& samples) {
   return rows;
 }
 
-void FieldSampler::sample(std::vector<Sample> const& samples) {
+bool FieldSampler::prepare(std::vector<Sample> const& samples) {
   weigh();
   share_at_particles_.resize(kernel_.particles());
   int const rows = plan(samples);
-  if (rows == 0) return;
+  if (rows == 0) return false;
   ParticleKernel::Fields fields = kernel_.fields(rows);
-  bool const known = at_particles_;
-  for (long cell = 0; !known && cell < fields.cols(); ++cell) fields(0, cell) = weight_[cell];
+  shares_due_ = !at_particles_;
+  for (long cell = 0; shares_due_ && cell < fields.cols(); ++cell) fields(0, cell) = weight_[cell];
   for (Target const& target : targets_) {
     if (target.field) put(*target.field, target.row, fields);
   }
-  kernel_.gather([&](int particle, double const* values, int stride) {
-    double& share = share_at_particles_[particle];
-    if (!known) share = 1 / values[0];
-    for (Target const& target : targets_) {
-      double const factor = target.weighted ? share : target.factor;
-      double* const out = target.values + static_cast<long>(target.components) * particle;
-      double const* const in = values + target.row * stride;
-      out[0] = factor * in[0];
-      if (target.components == 1) continue;
-      out[1] = factor * in[stride];
-      out[2] = factor * in[2 * stride];
-    }
-  });
   at_particles_ = true;
+  return true;
+}
+
+void FieldSampler::sample(std::vector<Sample> const& samples) {
+  if (!prepare(samples)) return;
+  kernel_.gather(
+      [this](int particle, double const* values, int stride) { take(particle, values, stride); });
 }
 
 }  // namespace slidewave::foam

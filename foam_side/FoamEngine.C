@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "DragShares.H"
 #include "FieldSampler.H"
 #include "FieldState.H"
 #include "FoamCase.H"
@@ -150,6 +151,37 @@ struct FoamEngine::Impl {
     }
   }
 
+  DragShares shares(Table::ConstColumn const& drag_kg_s, Table::ConstColumn const& velocity_m_s,
+                    Table::ConstColumn const& force_N) const {
+    return {sampler,
+            drag_kg_s.data(),
+            velocity_m_s.data(),
+            force_N.data(),
+            deposit_due ? volume_m3 : nullptr,
+            moves_along ? added_mass_kg : nullptr};
+  }
+
+  void setDrag(DragShares const& shares, ParticleKernel::Fields const& density) {
+    if (deposit_due) {
+      solid.store(kernel, density, shares.volumeRow());
+      setTarget();
+    }
+    if (!drag) makeDrag();
+    for (label cell = 0; cell < foam.mesh().nCells(); ++cell) {
+      double const weight = sampler.cellWeight(cell);
+      drag->coefficient[cell] = weight * density(0, cell);
+      for (direction d = 0; d < 3; ++d) {
+        drag->velocitySource[cell][d] = weight * density(1 + d, cell);
+        drag->force[cell][d] = weight * density(4 + d, cell);
+      }
+    }
+    if (moves_along) {
+      scalarField& added = *drag->addedMass;
+      forAll(added, cell) added[cell] = sampler.cellWeight(cell) * density(shares.massRow(), cell);
+    }
+    flow->setDrag(drag.get());
+  }
+
   void depositAlone() {
     solid.deposit(kernel, Table::ConstColumn(volume_m3, 1, kernel.particles()));
     setTarget();
@@ -271,36 +303,21 @@ void FoamEngine::exchange(Table::ConstColumn drag_kg_s, Table::ConstColumn veloc
   Impl& self = *impl_;
   if (self.particles == 0) return;
   self.sampler.weighParticles();
-  // Shares of a particle's drag: q = K / T(rho eps), so that the cells' total is K (u_f - v).
-  bool const deposits = self.deposit_due;
-  int const volumeRow = 7, massRow = deposits ? 8 : 7;
-  int const rows = massRow + (self.moves_along ? 1 : 0);
-  auto const density = self.kernel.spread(rows, [&](int i, double* out) {
-    double const share = self.sampler.particleShare(i), drag = drag_kg_s(0, i) * share;
-    out[0] = drag;
-    for (int d = 0; d < 3; ++d) out[1 + d] = drag * velocity_m_s(d, i);
-    for (int d = 0; d < 3; ++d) out[4 + d] = share * force_N(d, i);
-    if (deposits) out[volumeRow] = self.volume_m3[i];
-    if (self.moves_along) out[massRow] = share * self.added_mass_kg[i];
-  });
-  if (deposits) {
-    self.solid.store(self.kernel, density, volumeRow);
-    self.setTarget();
-  }
-  if (!self.drag) self.makeDrag();
-  for (label cell = 0; cell < self.foam.mesh().nCells(); ++cell) {
-    double const weight = self.sampler.cellWeight(cell);
-    self.drag->coefficient[cell] = weight * density(0, cell);
-    for (direction d = 0; d < 3; ++d) {
-      self.drag->velocitySource[cell][d] = weight * density(1 + d, cell);
-      self.drag->force[cell][d] = weight * density(4 + d, cell);
-    }
-  }
-  if (self.moves_along) {
-    scalarField& added = *self.drag->addedMass;
-    forAll(added, cell) added[cell] = self.sampler.cellWeight(cell) * density(massRow, cell);
-  }
-  self.flow->setDrag(self.drag.get());
+  DragShares const shares = self.shares(drag_kg_s, velocity_m_s, force_N);
+  self.setDrag(shares, self.kernel.spread(shares.rows(), shares));
+}
+
+void FoamEngine::sample_and_exchange(std::vector<Sample> const& samples, RowWork const& evaluate,
+                                     Table::ConstColumn drag_kg_s, Table::ConstColumn velocity_m_s,
+                                     Table::ConstColumn force_N) {
+  Impl& self = *impl_;
+  if (self.particles == 0) return;
+  DragShares const shares = self.shares(drag_kg_s, velocity_m_s, force_N);
+  self.sampler.prepare(samples);  // the weights are always to be gathered
+  auto const take = [&](int particle, double const* values, int stride) {
+    self.sampler.take(particle, values, stride);
+  };
+  self.setDrag(shares, self.kernel.exchange(shares.rows(), take, evaluate, shares));
 }
 
 void FoamEngine::advance(Window const& window) try {

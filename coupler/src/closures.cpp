@@ -15,19 +15,20 @@ double volume_of(double radius_m) {
   return 4 * M_PI / 3 * radius_m * radius_m * radius_m;
 }
 
-void evaluate_drag(Models const& models, Table& particles) {
+void evaluate_drag(Models const& models, RowRange rows, Table& particles) {
   Table const& read = particles;
+  auto const some = [&](char const* name) { return read[name].middleCols(rows.begin, rows.count); };
   Eigen::MatrixXd const none;
   auto const run = [&](Rows const& void_fraction) {
-    drag_coefficients(
-        models.drag_model,
-        {models.coarse_grain, read["radius"], read["velocity"], read["fluid_velocity"],
-         read["density"], read["viscosity"], void_fraction,
-         models.by_type() ? read["type"].data() : nullptr, models.coarse_grain_by_type.data()},
-        particles["drag"]);
+    drag_coefficients(models.drag_model,
+                      {models.coarse_grain, some("radius"), some("velocity"),
+                       some("fluid_velocity"), some("density"), some("viscosity"), void_fraction,
+                       models.by_type() ? read["type"].data() + rows.begin : nullptr,
+                       models.coarse_grain_by_type.data()},
+                      particles["drag"].middleCols(rows.begin, rows.count));
   };
   if (models.porosity()) {
-    run(read["void_fraction"]);
+    run(some("void_fraction"));
   } else {
     run(none);
   }
@@ -60,24 +61,25 @@ void evaluate_force(Models const& models, Vec3 const& gravity_m_s2, Table& parti
   });
 }
 
-void evaluate_added_mass(Models const& models, Table& particles) {
+void evaluate_added_mass(Models const& models, RowRange rows, Table& particles) {
   Table const& read = particles;
   auto mass = particles["added_mass"];
   auto const density = read["density"], radius = read["radius"];
   bool const dense = models.porosity() && models.virtual_mass == VirtualMass::zuber;
-  for (long i = 0; i < particles.size(); ++i) {
-    double const eps = dense ? read["void_fraction"](0, i) : 1;
+  double const* const voids = dense ? read["void_fraction"].data() : nullptr;
+  for (long i = rows.begin; i < rows.end(); ++i) {
+    double const eps = dense ? voids[i] : 1;
     mass(0, i) = added_mass(added_mass_coefficient(eps), density(0, i), volume_of(radius(0, i)));
   }
 }
 
-void evaluate_lift(Models const& models, Table& particles) {
+void evaluate_lift(Models const& models, RowRange rows, Table& particles) {
   Table const& read = particles;
   auto lift = particles["lift"];
   auto const radius = read["radius"], density = read["density"], viscosity = read["viscosity"];
   auto const fluid = read["fluid_velocity"], velocity = read["velocity"],
              vorticity = read["vorticity"];
-  for (long i = 0; i < particles.size(); ++i) {
+  for (long i = rows.begin; i < rows.end(); ++i) {
     double const alpha = models.alpha(read, i), grains = grains_per_particle(alpha);
     double const diameter = grain_diameter(2 * radius(0, i), alpha);
     lift.col(i) = grains * saffman_mei_lift(diameter, density(0, i), viscosity(0, i),

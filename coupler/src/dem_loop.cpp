@@ -29,6 +29,7 @@ class DemLoop {
     for (Field const& field : Layout::answered(agreed.models)) {
       answers_.add(field);
     }
+    engine_.expect(particles_, answers_);
     bool const goes_on = checkpoints_.find();
     if (!session.world.has_partner() && session.is_root()) {
       session.say(describe(agreed));
@@ -71,9 +72,6 @@ class DemLoop {
   void gather() {
     Scope const scope(session_.profile, Phase::exchange);
     engine_.gather(particles_);
-    if (session_.world.has_partner()) {
-      outbox_.recall(particles_);
-    }
   }
 
   /// What any rank wishes for the end of this window.
@@ -84,8 +82,10 @@ class DemLoop {
       return {wishes[0] > 0, wishes[1] > 0};
     }
     Wishes const all = outbox_.send(particles_, n, mine);
-    outbox_.receive(answers_, n);
     Scope const scope(session_.profile, Phase::exchange);
+    answers_.resize(particles_.size());
+    engine_.offer(answers_);
+    outbox_.receive(particles_, answers_, n);
     engine_.apply(answers_);
     watch_.look(particles_, answers_, windows_[n].length_s(), session_.agreement);
     return all;
@@ -144,7 +144,7 @@ class DemLoop {
       auto const impulse = particles_["impulse"];
       auto const received = engine_.received_impulse();
       Eigen::Map<Vec3>(sums.received) = received ? *received : Vec3(impulse.rowwise().sum());
-      Eigen::Map<Vec3>(sums.ledger) = outbox_.ledger().rowwise().sum();
+      Eigen::Map<Vec3>(sums.ledger) = outbox_.ledger(particles_);
       sums.received_abs = (agreed_.in_plane.asDiagonal() * impulse).colwise().norm().sum();
     }
     if (session_.is_root()) {

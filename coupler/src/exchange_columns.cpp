@@ -19,11 +19,14 @@ void gather_rows(double const* from, int const* rows, long count, double* out) {
 }
 
 template <int components>
-void scatter_rows(double const* in, int const* rows, long count, double* to) {
-  for (long i = 0; i < count; ++i) {
-    double* target = to + static_cast<long>(rows[i]) * components;
+void scatter_rows(double const* in, int const* rows, long count, double* to, char const* taken) {
+  for (long i = 0; i < count; ++i, in += components) {
+    if (taken && !taken[i]) {
+      continue;
+    }
+    double* target = to + static_cast<long>(*rows++) * components;
     for (int k = 0; k < components; ++k) {
-      target[k] = *in++;
+      target[k] = in[k];
     }
   }
 }
@@ -41,20 +44,31 @@ bool all_finite(double const* values, long count) {
   return bad >> 63 == 0;
 }
 
-bool pack(Table::ConstColumn const& column, int const* rows, long count, double* out) {
+long first_not_finite(double const* values, long rows, int components) {
+  if (all_finite(values, rows * components)) {
+    return -1;
+  }
+  long row = 0;
+  while (all_finite(values + row * components, components)) {
+    ++row;
+  }
+  return row;
+}
+
+void pack(Table::ConstColumn const& column, int const* rows, long count, double* out) {
   if (column.rows() == 3) {
     gather_rows<3>(column.data(), rows, count, out);
   } else {
     gather_rows<1>(column.data(), rows, count, out);
   }
-  return all_finite(out, count * column.rows());
 }
 
-void unpack(double const* in, int const* rows, long count, Table::Column column) {
+void unpack(double const* in, int const* rows, long count, Table::Column column,
+            char const* taken) {
   if (column.rows() == 3) {
-    scatter_rows<3>(in, rows, count, column.data());
+    scatter_rows<3>(in, rows, count, column.data(), taken);
   } else {
-    scatter_rows<1>(in, rows, count, column.data());
+    scatter_rows<1>(in, rows, count, column.data(), taken);
   }
 }
 

@@ -146,58 +146,78 @@ class FluidLoop {
       }
     }
     Scope const scope(session_.profile, Phase::force);
-    sample(at_start_);
+    list_samples(at_start_);
+    if (!models_.ledger()) {
+      engine_.sample_all(samples_);
+      evaluate(window, RowRange::all(particles_));
+      return;
+    }
+    Table const& read = particles_;
+    if (models_.moves_fluid_along()) {
+      engine_.add_mass(read["added_mass"]);
+    }
+    ledger_in_air_ = Vec3::Zero();
+    engine_.sample_and_exchange(
+        samples_,
+        [&](long begin, long count) {
+          evaluate(window, {begin, count});
+        },
+        read[reaction()], read["velocity"], read[repaid_column]);
+  }
+
+  /// What acts on the fluid in the coming window, from what was sampled at its start.
+  void evaluate(Window const& window, RowRange rows) {
     if (models_.drag) {
-      evaluate_drag(models_, particles_);
+      evaluate_drag(models_, rows, particles_);
     }
     if (models_.moves_fluid_along()) {
-      evaluate_added_mass(models_, particles_);
+      evaluate_added_mass(models_, rows, particles_);
     }
     if (models_.lift) {
-      evaluate_lift(models_, particles_);
+      evaluate_lift(models_, rows, particles_);
     }
-    if (models_.ledger()) {
-      repay(window);
-      if (models_.lift) {
-        particles_[repaid_column] -= particles_["lift"];
-      }
-      if (models_.stiff) {
-        foresee(window.length_s(), gravity_m_s2_, particles_);
-      }
-      if (models_.concurrent) {
-        take_at_once();
-      }
-      Table const& read = particles_;
-      if (models_.moves_fluid_along()) {
-        engine_.add_mass(read["added_mass"]);
-      }
-      engine_.exchange(read[reaction()], read["velocity"], read[repaid_column]);
+    if (!models_.ledger()) {
+      return;
+    }
+    repay(window, rows);
+    if (models_.lift) {
+      some(repaid_column, rows) -= some("lift", rows);
+    }
+    if (models_.stiff) {
+      foresee(window.length_s(), gravity_m_s2_, rows, particles_);
+    }
+    if (models_.concurrent) {
+      take_at_once(rows);
     }
   }
 
+  Table::Column some(char const* column, RowRange rows) {
+    Table::Column all = particles_[column];
+    return {all.data() + all.rows() * rows.begin, all.rows(), rows.count};
+  }
+
   /// The force that pays the ledger back to the fluid; a particle in air keeps its own.
-  void repay(Window const& window) {
+  void repay(Window const& window, RowRange rows) {
     double const rate = window.length_s() > 0 ? 1 / window.length_s() : 0;
     auto ledger = particles_["ledger"];
-    ledger_in_air_ = Vec3::Zero();
     if (agreed_.saturation) {
       auto const saturation = particles_["saturation"];
-      for (long i = 0; i < particles_.size(); ++i) {
+      for (long i = rows.begin; i < rows.end(); ++i) {
         if (saturation(0, i) < air_saturation) {
           ledger_in_air_ += ledger.col(i);
           ledger.col(i).setZero();
         }
       }
     }
-    ledger *= rate;
+    some("ledger", rows) *= rate;
   }
 
   /// Concurrent: the fluid takes the drag of the window's start as a force that does not change, so
   /// that what it gives is known when the particles are answered.
-  void take_at_once() {
-    auto const slip = particles_["fluid_velocity"] - particles_["velocity"];
-    particles_[repaid_column] -= slip * particles_["drag"].row(0).asDiagonal();
-    particles_["response"].setZero();
+  void take_at_once(RowRange rows) {
+    auto const slip = some("fluid_velocity", rows) - some("velocity", rows);
+    some(repaid_column, rows) -= slip * some("drag", rows).row(0).asDiagonal();
+    some("response", rows).setZero();
   }
 
   void advance(Window const& window) {
@@ -211,7 +231,8 @@ class FluidLoop {
   void answer(Window const& window, std::vector<Wanted> const& wanted) {
     {
       Scope const scope(session_.profile, Phase::force);
-      sample(wanted);
+      list_samples(wanted);
+      engine_.sample_all(samples_);
       if (models_.ledger()) {
         book(window.length_s());
       }
@@ -341,12 +362,11 @@ class FluidLoop {
     }
   }
 
-  void sample(std::vector<Wanted> const& wanted) {
+  void list_samples(std::vector<Wanted> const& wanted) {
     samples_.clear();
     for (Wanted const& one : wanted) {
       samples_.push_back({one.field, particles_[one.column]});
     }
-    engine_.sample_all(samples_);
   }
 
   Session::Impl& session_;

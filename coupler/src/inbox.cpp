@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <cstring>
+#include <algorithm>
+#include <numeric>
 
 #include "exchange_columns.hpp"
 #include "tags.hpp"
@@ -57,7 +58,12 @@ Wishes Inbox::collect(FluidEngine& engine, Table& particles, std::vector<int>& c
     answer_queries(engine, window);
     read_moves(window);
   }
-  build(engine, particles, cell);
+  list_parts(engine, cell);
+  sort_by_cell(cell);
+  particles.resize(static_cast<long>(cell.size()));
+  for (Part const& part : parts_) {
+    copy_rows(part, particles);
+  }
   return {common[1] > 0, common[2] > 0};
 }
 
@@ -84,40 +90,9 @@ void Inbox::locate(FluidEngine& engine, long window) {
   }
 }
 
-void Inbox::copy_rows(Incoming const& message, long offset, long rows,
-                      std::vector<char> const* stays, Table& particles, long begin) const {
-  double const* in = message.data.data() + offset;
-  for (Field const& field : agreed_.layout.to_fluid) {
-    int const width = field.components;
-    if (field.name == "cell_hint") {  // has done its work
-      in += rows;
-      continue;
-    }
-    double* out = particles[field.name].data() + begin * width;
-    if (!stays) {
-      std::memcpy(out, in, sizeof(double) * width * rows);
-    } else {
-      for (long i = 0; i < rows; ++i) {
-        if ((*stays)[i]) {
-          std::memcpy(out, in + i * width, sizeof(double) * width);
-          out += width;
-        }
-      }
-    }
-    in += rows * width;
-  }
-}
-
-void Inbox::build(FluidEngine& engine, Table& particles, std::vector<int>& cell) {
+void Inbox::list_parts(FluidEngine& engine, std::vector<int>& cell) {
+  parts_.clear();
   spans_.clear();
-  long total = 0;
-  for (std::size_t b = 0; b < batch_count_; ++b) {
-    total += batches_[b].rows;
-  }
-  for (Incoming const* message : moved_) {
-    total += static_cast<long>(message->data[1]);
-  }
-  particles.resize(total);
   cell.clear();
   int const width = doubles_per_particle(agreed_.layout.to_fluid);
   std::size_t b = 0;
@@ -131,9 +106,8 @@ void Inbox::build(FluidEngine& engine, Table& particles, std::vector<int>& cell)
     if (from_batch == source) {
       Batch const& batch = batches_[b++];
       buffer = &batch.message->data;
-      bool const all = batch.misses[1] == 0;
-      copy_rows(*batch.message, header_size, batch.rows, all ? nullptr : &batch.stays, particles,
-                begin);
+      parts_.push_back({batch.message, header_size, batch.rows,
+                        batch.misses[1] == 0 ? nullptr : &batch.stays, begin});
       for (long i = 0; i < batch.rows; ++i) {
         if (batch.stays[i]) {
           cell.push_back(batch.cell[i]);
@@ -145,7 +119,7 @@ void Inbox::build(FluidEngine& engine, Table& particles, std::vector<int>& cell)
       buffer = buffer ? buffer : &message.data;
       long const rows = static_cast<long>(message.data[1]);
       long const offset = static_cast<long>(message.data.size()) - width * rows;
-      copy_rows(message, offset, rows, nullptr, particles, static_cast<long>(cell.size()));
+      parts_.push_back({&message, offset, rows, nullptr, static_cast<long>(cell.size())});
       for (long i = 0; i < rows; ++i) {
         Eigen::Map<Vec3 const> const point(message.data.data() + offset + 3 * i);
         cell.push_back(engine.locate(point, -1).cell);
@@ -156,7 +130,39 @@ void Inbox::build(FluidEngine& engine, Table& particles, std::vector<int>& cell)
       spans_.push_back({source, begin, rows, buffer});
     }
   }
-  particles.resize(static_cast<long>(cell.size()));
+}
+
+// A counting sort, stable.
+void Inbox::sort_by_cell(std::vector<int>& cell) {
+  place_.resize(cell.size());
+  if (cell.empty()) {
+    return;
+  }
+  next_.assign(*std::max_element(cell.begin(), cell.end()) + 2, 0);
+  for (int const c : cell) {
+    ++next_[c + 1];
+  }
+  std::partial_sum(next_.begin(), next_.end(), next_.begin());
+  for (std::size_t i = 0; i < cell.size(); ++i) {
+    place_[i] = next_[cell[i]]++;
+  }
+  std::size_t row = 0;  // next_ is now the end of each cell
+  for (std::size_t c = 0; row < cell.size(); ++c) {
+    for (; row < static_cast<std::size_t>(next_[c]); ++row) {
+      cell[row] = static_cast<int>(c);
+    }
+  }
+}
+
+void Inbox::copy_rows(Part const& part, Table& particles) const {
+  double const* in = part.message->data.data() + part.offset;
+  for (Field const& field : agreed_.layout.to_fluid) {
+    if (field.name != "cell_hint") {  // has done its work
+      unpack(in, place_.data() + part.begin, part.rows, particles[field.name],
+             part.stays ? part.stays->data() : nullptr);
+    }
+    in += part.rows * field.components;
+  }
 }
 
 void Inbox::answer(Table const& answers, std::vector<int> const& cell, long window) {
@@ -167,29 +173,31 @@ void Inbox::answer(Table const& answers, std::vector<int> const& cell, long wind
     buffer.resize(header_size + width * span.rows);
     buffer[0] = stamp(window, tag::answers);
     buffer[1] = static_cast<double>(span.rows);
-    double* out = buffer.data() + header_size;
-    for (Field const& field : agreed_.layout.to_dem) {
-      if (field.name == "cell") {
-        std::copy_n(cell.begin() + span.begin, span.rows, out);
-      } else {
-        long const count = span.rows * field.components;
-        std::memcpy(out, answers[field.name].data() + span.begin * field.components,
-                    sizeof(double) * count);
-        if (!all_finite(out, count)) {
-          long bad = 0;
-          while (all_finite(out + bad * field.components, field.components)) {
-            ++bad;
-          }
-          session_.failure.fail(fmt::format("'{}' for the particle at {} is not a finite number",
-                                            field.name, place_of(answers, span.begin + bad)),
-                                1);
-        }
-      }
-      out += span.rows * field.components;
-    }
+    pack_answers(answers, cell, place_.data() + span.begin, span.rows, buffer.data() + header_size);
     channel_.send(span.source, buffer, tag::answers);
   }
   channel_.finish("the answers");
+}
+
+void Inbox::pack_answers(Table const& answers, std::vector<int> const& cell, int const* rows,
+                         long count, double* out) const {
+  for (Field const& field : agreed_.layout.to_dem) {
+    if (field.name == "cell") {
+      out = std::transform(rows, rows + count, out, [&](int row) { return cell[row]; });
+      continue;
+    }
+    for (long begin = 0; begin < count; begin += rows_in_cache) {
+      long const some = std::min(rows_in_cache, count - begin);
+      pack(answers[field.name], rows + begin, some, out);
+      long const bad = first_not_finite(out, some, field.components);
+      if (bad >= 0) {
+        session_.failure.fail(fmt::format("'{}' for the particle at {} is not a finite number",
+                                          field.name, place_of(answers, rows[begin + bad])),
+                              1);
+      }
+      out += some * field.components;
+    }
+  }
 }
 
 }  // namespace slidewave

@@ -2,12 +2,39 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "closures.hpp"
 #include "contact_memory.hpp"
 #include "exchange_columns.hpp"
 #include "tags.hpp"
 
 namespace slidewave {
+namespace {
+
+/// Of `memory`, behind the ledger.
+constexpr int home_row = 3;
+
+/// Given less received [kg m/s].
+void pack_ledger(Table const& particles, Vec3 const& in_plane, int const* rows, long count,
+                 double* out) {
+  auto const given = particles["memory"], received = particles["impulse"];
+  for (long k = 0; k < count; ++k) {
+    Eigen::Map<Vec3>(out + 3 * k) =
+        in_plane.cwiseProduct(given.col(rows[k]).head<3>() - received.col(rows[k]));
+  }
+}
+
+/// The cell where the particle was, if that was on the rank that it goes to.
+void pack_hints(Table const& particles, int destination, int const* rows, long count, double* out) {
+  auto const memory = particles["memory"];
+  for (long k = 0; k < count; ++k) {
+    HomeCode const home = HomeCode::decode(memory(home_row, rows[k]));
+    out[k] = home.owner == destination ? home.cell : -1;
+  }
+}
+
+}  // namespace
 
 Outbox::Outbox(Session::Impl& session, Agreed const& agreed)
     : session_(session),
@@ -16,8 +43,6 @@ Outbox::Outbox(Session::Impl& session, Agreed const& agreed)
       channel_(session),
       sender_(session.world, session.waiter),
       answered_(Layout::answered(agreed.models)) {
-  derived_.add({"ledger", "kg m/s", 3});
-  derived_.add({"cell_hint", "-", 1});
   if (agreed.models.stiff) {
     derived_.add({"other_force", "N", 3});
     derived_.add({"stiffness", "N/m", 1});
@@ -27,48 +52,55 @@ Outbox::Outbox(Session::Impl& session, Agreed const& agreed)
   }
 }
 
-void Outbox::recall(Table const& particles) {
-  derived_.resize(particles.size());
-  owner_.resize(particles.size());
-  auto const memory = particles["memory"];
-  auto hint = derived_["cell_hint"];
+Vec3 Outbox::ledger(Table const& particles) const {
+  auto const given = particles["memory"], received = particles["impulse"];
+  Vec3 sum = Vec3::Zero();
   for (long i = 0; i < particles.size(); ++i) {
-    HomeCode const home = HomeCode::decode(memory(3, i));
-    owner_[i] = home.owner;
-    hint(0, i) = home.cell;
+    sum += given.col(i).head<3>() - received.col(i);
   }
-  if (agreed_.models.ledger()) {
-    derived_["ledger"] =
-        agreed_.in_plane.asDiagonal() * (memory.topRows<3>() - particles["impulse"]);
-  }
+  return agreed_.in_plane.cwiseProduct(sum);
 }
 
 void Outbox::choose_destinations(Table const& particles) {
   auto const position = particles["position"];
   auto const radius = particles["radius"];
+  auto const memory = particles["memory"];
+  owner_.resize(particles.size());
   for (long i = 0; i < particles.size(); ++i) {
-    if (owner_[i] < 0 || owner_[i] >= session_.world.partner_size || !homes_known_) {
+    owner_[i] = homes_known_ ? HomeCode::decode(memory(home_row, i)).owner : -1;
+    if (owner_[i] < 0 || owner_[i] >= session_.world.partner_size) {
       owner_[i] = map_.first(position.col(i), radius(0, i));
-      derived_["cell_hint"](0, i) = -1;
     }
   }
-  homes_known_ = true;
   groups_.sort(owner_, session_.world.partner_size);
 }
 
-void Outbox::pack_rows(Table const& particles, int const* rows, long count, double* out) const {
-  for (Field const& field : agreed_.layout.to_fluid) {
+void Outbox::pack_field(Table const& particles, Field const& field, int destination,
+                        int const* rows, long count, double* out) const {
+  if (field.name == "ledger") {
+    pack_ledger(particles, agreed_.in_plane, rows, count, out);
+  } else if (field.name == "cell_hint") {
+    pack_hints(particles, homes_known_ ? destination : -1, rows, count, out);
+  } else {
     Table const& source = derived_.has(field.name) ? derived_ : particles;
-    if (!pack(source[field.name], rows, count, out)) {
-      long bad = 0;
-      while (all_finite(out + bad * field.components, field.components)) {
-        ++bad;
+    pack(source[field.name], rows, count, out);
+  }
+}
+
+void Outbox::pack_rows(Table const& particles, int const* rows, long count, int destination,
+                       double* out) const {
+  for (Field const& field : agreed_.layout.to_fluid) {
+    for (long begin = 0; begin < count; begin += rows_in_cache) {
+      long const some = std::min(rows_in_cache, count - begin);
+      pack_field(particles, field, destination, rows + begin, some, out);
+      long const bad = first_not_finite(out, some, field.components);
+      if (bad >= 0) {
+        session_.failure.fail(fmt::format("'{}' of the particle at {} is not a finite number",
+                                          field.name, place_of(particles, rows[begin + bad])),
+                              1);
       }
-      session_.failure.fail(fmt::format("'{}' of the particle at {} is not a finite number",
-                                        field.name, place_of(particles, rows[bad])),
-                            1);
+      out += some * field.components;
     }
-    out += count * field.components;
   }
 }
 
@@ -86,7 +118,8 @@ Wishes Outbox::send(Table const& particles, long window, Wishes mine) {
     buffer.resize(header_size + width * groups_.count(g));
     buffer[0] = stamp(window, tag::particles);
     buffer[1] = static_cast<double>(groups_.count(g));
-    pack_rows(particles, groups_.rows(g), groups_.count(g), buffer.data() + header_size);
+    pack_rows(particles, groups_.rows(g), groups_.count(g), groups_.destination(g),
+              buffer.data() + header_size);
     sender_.send(groups_.destination(g), buffer, tag::particles);
   }
   sender_.finish("the particles");
@@ -100,6 +133,7 @@ Wishes Outbox::send(Table const& particles, long window, Wishes mine) {
     query_others(particles, window);
     send_moves(particles, window);
   }
+  homes_known_ = true;
   expect_answers();
   judge_outside(particles, window);
   return {common[1] > 0, common[2] > 0};
@@ -177,17 +211,23 @@ bool Outbox::all_answered() const {
   return rows == owner_.size();
 }
 
-void Outbox::receive(Table& answers, long window) {
-  Scope const scope(session_.profile, Phase::exchange);
-  answers.resize(static_cast<long>(owner_.size()));
+void Outbox::receive(Table const& particles, Table& answers, long window) {
+  auto memory = answers["memory"];
   if (!all_answered()) {
     for (Field const& field : answered_) {
-      answers[field.name].setZero();
+      if (field.name != "memory") {
+        answers[field.name].setZero();
+      }
     }
+    memory.row(home_row).setZero();
   }
-  auto memory = answers["memory"];
   if (agreed_.models.ledger()) {
-    memory.topRows<3>() = derived_["ledger"];
+    auto const kept = particles["memory"];
+    auto const received = particles["impulse"];
+    for (long i = 0; i < answers.size(); ++i) {
+      memory.col(i).head<3>() =
+          agreed_.in_plane.cwiseProduct(kept.col(i).head<3>() - received.col(i));
+    }
   }
   if (agreed_.models.stiff) {
     keep_contacts(derived_, answers);
@@ -207,7 +247,7 @@ void Outbox::receive(Table& answers, long window) {
     for (Field const& field : agreed_.layout.to_dem) {
       if (field.name == "cell") {
         for (long k = 0; k < count; ++k) {
-          memory(3, rows[k]) = HomeCode{rank, static_cast<int>(in[k])}.encode();
+          memory(home_row, rows[k]) = HomeCode{rank, static_cast<int>(in[k])}.encode();
         }
       } else if (field.name == "given") {
         for (long k = 0; k < count; ++k) {

@@ -26,13 +26,12 @@ class Outbox {
   /// Sends this rank's particles and settles who owns each. Gives what any rank of either side
   /// wishes.
   Wishes send(Table const& particles, long window, Wishes mine);
-  /// Fills drag, fluid_velocity, force and memory; zero for particles outside.
-  void receive(Table& answers, long window);
+  /// Fills drag, fluid_velocity, force and memory; zero for particles outside. The tables may share
+  /// their memory columns; impulse is still what it was when they were sent.
+  void receive(Table const& particles, Table& answers, long window);
   Census const& census() const { return census_; }
-  /// Per particle of the last send: given and not yet received [kg m/s].
-  Table::ConstColumn ledger() const { return derived_["ledger"]; }
-  /// Unpacks memory: ledger and last home. To be called before send(), and after the last window.
-  void recall(Table const& particles);
+  /// Given and not yet received [kg m/s], of all particles together.
+  Vec3 ledger(Table const& particles) const;
   void pass(State& state) { state.pass("outbox.most_outside", most_outside_); }
   /// The fluid's ranks are others than those that memory names: look for all homes once again.
   void forget_homes() { homes_known_ = false; }
@@ -51,7 +50,10 @@ class Outbox {
   };
 
   void choose_destinations(Table const& particles);
-  void pack_rows(Table const& particles, int const* rows, long count, double* out) const;
+  void pack_field(Table const& particles, Field const& field, int destination, int const* rows,
+                  long count, double* out) const;
+  void pack_rows(Table const& particles, int const* rows, long count, int destination,
+                 double* out) const;
   void read_misses(Table const& particles, long window);
   void query_others(Table const& particles, long window);
   void send_moves(Table const& particles, long window);
@@ -64,7 +66,7 @@ class Outbox {
   CoarseMap map_;
   Channel channel_;
   SparseSender sender_;
-  Table derived_;  ///< ledger, cell_hint
+  Table derived_;  ///< stiff regime only: see contact_memory.hpp
   Groups groups_;
   std::vector<int> owner_;
   std::vector<std::vector<double>> buffers_;
@@ -77,7 +79,7 @@ class Outbox {
   std::size_t expected_count_ = 0;
   Census census_;
   long most_outside_ = 0;
-  bool homes_known_ = true;
+  bool homes_known_ = true;  ///< `memory` names ranks and cells of this run
 };
 
 }  // namespace slidewave

@@ -77,7 +77,6 @@ void Outbox::send_moves(Table const& particles, long window) {
     if (miss.winner >= 0 && miss.winner == miss.tried) {
       moves[miss.winner].kept.push_back(miss.index);
     } else if (miss.winner >= 0) {
-      derived_["cell_hint"](0, miss.row) = -1;
       moves[miss.winner].rows.push_back(miss.row);
     }
   }
@@ -88,7 +87,8 @@ void Outbox::send_moves(Table const& particles, long window) {
     move.buffer.insert(move.buffer.end(), move.kept.begin(), move.kept.end());
     std::size_t const begin = move.buffer.size();
     move.buffer.resize(begin + width * rows);
-    pack_rows(particles, move.rows.data(), static_cast<long>(rows), move.buffer.data() + begin);
+    pack_rows(particles, move.rows.data(), static_cast<long>(rows), rank,
+              move.buffer.data() + begin);
     sender_.send(rank, move.buffer, tag::moves);
   }
   sender_.finish("moved particles");

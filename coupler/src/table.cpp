@@ -1,6 +1,7 @@
 #include "slidewave/table.hpp"
 
 #include <stdexcept>
+#include <utility>
 
 namespace slidewave {
 
@@ -13,24 +14,45 @@ void Table::add(Field const& field) {
 void Table::resize(long particles) {
   size_ = particles;
   for (auto& [name, data] : columns_) {
-    data.values.resize(static_cast<std::size_t>(particles) * data.field.components, 0.0);
+    data.lent = nullptr;
+    if (!data.is_lent) {
+      data.values.resize(static_cast<std::size_t>(particles) * data.field.components, 0.0);
+    }
   }
+}
+
+Table::Data const& Table::find(std::string_view name) const {
+  auto const found = columns_.find(name);
+  if (found == columns_.end()) {
+    throw std::out_of_range("slidewave: no column '" + std::string(name) + "' was negotiated");
+  }
+  return found->second;
+}
+
+void Table::lend(std::string_view name, double* values) {
+  Data& data = columns_.at(find(name).field.name);
+  if (!data.is_lent) {
+    data.values = {};
+  }
+  data.is_lent = true;
+  data.lent = values;
 }
 
 Table::Column Table::operator[](std::string_view name) {
-  auto const found = columns_.find(name);
-  if (found == columns_.end()) {
-    throw std::out_of_range("slidewave: no column '" + std::string(name) + "' was negotiated");
-  }
-  return {found->second.values.data(), found->second.field.components, size_};
+  ConstColumn const column = std::as_const(*this)[name];
+  return {const_cast<double*>(column.data()), column.rows(), column.cols()};
 }
 
 Table::ConstColumn Table::operator[](std::string_view name) const {
-  auto const found = columns_.find(name);
-  if (found == columns_.end()) {
-    throw std::out_of_range("slidewave: no column '" + std::string(name) + "' was negotiated");
+  Data const& data = find(name);
+  if (!data.is_lent) {
+    return {data.values.data(), data.field.components, size_};
   }
-  return {found->second.values.data(), found->second.field.components, size_};
+  if (!data.lent && size_ > 0) {
+    throw std::logic_error("slidewave: column '" + data.field.name +
+                           "' was lent, but not again after the table's size changed");
+  }
+  return {data.lent, data.field.components, size_};
 }
 
 std::vector<Field> Table::fields() const {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "closures.hpp"
 #include "slidewave/physics/window_response.hpp"
 
 namespace slidewave {
@@ -12,27 +11,27 @@ namespace {
 /// As in the closures: denser than this no law holds.
 constexpr double least_void_fraction = 0.25;
 
-double voids_at(Table const& particles, long i) {
-  return std::clamp(particles["void_fraction"](0, i), least_void_fraction, 1.0);
+double bounded(double void_fraction) {
+  return std::clamp(void_fraction, least_void_fraction, 1.0);
 }
 
 }  // namespace
 
-void foresee(double window_s, Vec3 const& gravity_m_s2, Table& particles) {
+void foresee(double window_s, Vec3 const& gravity_m_s2, RowRange rows, Table& particles) {
   Table const& read = particles;
   auto response = particles["response"];
   auto repaid = particles["ledger"];  // a force by now
   if (window_s <= 0) {
-    response.setZero();
-    repaid.setZero();
+    response.middleCols(rows.begin, rows.count).setZero();
+    repaid.middleCols(rows.begin, rows.count).setZero();
     return;
   }
   auto const drag = read["drag"], mass = read["mass"], stiffness = read["stiffness"],
-             density = read["density"], radius = read["radius"];
+             density = read["density"], radius = read["radius"], voids = read["void_fraction"];
   auto const velocity = read["velocity"], fluid = read["fluid_velocity"],
              solid = read["solid_velocity"], others = read["other_force"];
-  for (long i = 0; i < particles.size(); ++i) {
-    double const eps = voids_at(read, i), phi = 1 - eps;
+  for (long i = rows.begin; i < rows.end(); ++i) {
+    double const eps = bounded(voids(0, i)), phi = 1 - eps;
     double const to_fluid = drag(0, i) / eps;      // K'
     double const to_solid = to_fluid * phi / eps;  // K_a
     double const both = to_fluid + to_solid;       // K_e
@@ -54,11 +53,11 @@ void foresee(double window_s, Vec3 const& gravity_m_s2, Table& particles) {
 void answer_in_kick_form(double window_s, Vec3 const& in_plane, Table& particles) {
   Table const& read = particles;
   auto const reaction = read["drag_reaction"], solid = read["solid_velocity"],
-             radius = read["radius"];
+             radius = read["radius"], voids = read["void_fraction"];
   auto drag = particles["drag"], fluid = particles["fluid_velocity"], force = particles["force"],
        given = particles["given"];
   for (long i = 0; i < particles.size(); ++i) {
-    double const eps = voids_at(read, i);
+    double const eps = bounded(voids(0, i));
     Vec3 const taken_out = volume_of(radius(0, i)) * in_plane.cwiseProduct(reaction.col(i));
     force.col(i) -= taken_out;
     given.col(i) += window_s * taken_out;

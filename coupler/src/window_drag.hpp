@@ -6,7 +6,7 @@
 // saw.
 #pragma once
 
-#include "slidewave/table.hpp"
+#include "closures.hpp"
 
 namespace slidewave {
 
@@ -14,7 +14,7 @@ namespace slidewave {
 /// density, radius, mass, other_force, stiffness, solid_velocity and repaid (ledger over window,
 /// N): response [kg/s] and repaid [N], so that the fluid loses response (u - velocity) - repaid [N]
 /// to the grain, which is the force that it will receive as far as can be foreseen.
-void foresee(double window_s, Vec3 const& gravity_m_s2, Table& particles);
+void foresee(double window_s, Vec3 const& gravity_m_s2, RowRange rows, Table& particles);
 
 /// After the solve. Turns drag, fluid_velocity and force into those of the kick, from drag_reaction
 /// B/eps [Pa/m]; adds to given the impulse that the pressure no longer hands over.

@@ -1,42 +1,36 @@
 #include <algorithm>
+#include <numeric>
 
 #include "CellStencil.H"
 
 namespace slidewave::foam {
+
+CellStencil::CellStencil(int cells) : cells_(cells), first_(cells + 1), columns_(cells) {
+  std::iota(first_.begin(), first_.end(), 0);
+  std::iota(columns_.begin(), columns_.end(), 0);
+}
 
 CellStencil::CellStencil(std::vector<CellShape> const& shapes, Vec3 const& period_m, MPI_Comm comm)
     : cells_(static_cast<int>(shapes.size())), comm_(comm) {
   std::vector<Vec3> reach_m;
   collectCentres(shapes, period_m, comm, reach_m);
   findNeighbours(shapes, reach_m);
-}
-
-void CellStencil::begin(int cell, Block& block) const {
-  block.count = isSpline() ? first_[cell + 1] - first_[cell] : 1;
-  block.weights.resize(
-      std::max(block.weights.size(), static_cast<std::size_t>(lanes) * block.count));
-  block.room.resize(std::max<std::size_t>(block.room.size(), block.count));
-  block.own = 0;
-  block.room[0] = cell;
-  block.columns = block.room.data();
-  if (!isSpline()) return;
-  int const* const near = near_.data() + first_[cell];
-  block.own = static_cast<int>(std::lower_bound(near, near + block.count, cell) - near);
-  if (static_cast<int>(centres_.size()) == cells_) {  // all are own cells
-    block.columns = near;
-    return;
+  for (int const centre : near_) columns_.push_back(column_[centre]);
+  for (int cell = 0; cell < cells_; ++cell) {
+    auto const begin = near_.begin() + first_[cell], end = near_.begin() + first_[cell + 1];
+    own_.push_back(static_cast<int>(std::lower_bound(begin, end, cell) - begin));
+    largest_ = std::max(largest_, static_cast<int>(end - begin));
   }
-  for (int k = 0; k < block.count; ++k) block.room[k] = column_[near[k]];
 }
 
-void CellStencil::weigh(int cell, int active, double const* points_m, Block& block) const {
+void CellStencil::weigh(int cell, int active, double const* points_m, double* weights) const {
   if (!isSpline()) {
-    std::fill_n(block.weights.begin(), active, 1.0);
+    std::fill_n(weights, active, 1.0);
     return;
   }
-  auto const weights = upright_ ? laneLoops().uprightWeights : laneLoops().weights;
-  weights(centres_.data(), near_.data() + first_[cell], block.count, block.own, active, points_m,
-          block.weights.data());
+  auto const weigh = upright_ ? laneLoops().uprightWeights : laneLoops().weights;
+  weigh(centres_.data(), near_.data() + first_[cell], around(cell).count, own_[cell], active,
+        points_m, weights);
 }
 
 void CellStencil::fetch(double* values, int components) const {

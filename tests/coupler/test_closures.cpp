@@ -25,7 +25,7 @@ Table one_particle(double radius, double slip, double void_fraction) {
 }
 
 double drag(Table table, Models const& models) {
-  evaluate_drag(models, table);
+  evaluate_drag(models, RowRange::all(table), table);
   return table["drag"](0, 0);
 }
 
@@ -72,7 +72,7 @@ TEST(Closures, AlphaByType) {
     table.add({"type", "-", 1});
     table["type"](0, 0) = type;
     one.coarse_grain = models.coarse_grain_by_type[static_cast<std::size_t>(type) - 1];
-    evaluate_drag(models, table);
+    evaluate_drag(models, RowRange::all(table), table);
     EXPECT_EQ(table["drag"](0, 0), drag(one_particle(0.01, 0.1, 0.6), one)) << type;
   }
 }
@@ -119,7 +119,7 @@ TEST(Closures, VirtualMassByHand) {
     models.two_way = two_way;
     models.virtual_mass = VirtualMass::zuber;
     table["force"].setConstant(5);
-    evaluate_added_mass(models, table);
+    evaluate_added_mass(models, RowRange::all(table), table);
     push(models, table);
     // Zuber at 0.6: C = 0.5 (1 + 0.8)/0.6 = 1.5; one-way no law sees a void fraction: 1/2.
     double const mass = (two_way ? 1.5 : 0.5) * 1000 * 4 * M_PI / 3 * 1e-3;
@@ -141,7 +141,7 @@ TEST(Closures, LiftAndTorqueOfAClump) {
   Models models;
   models.two_way = false;
   models.coarse_grain = 10;
-  evaluate_lift(models, table);
+  evaluate_lift(models, RowRange::all(table), table);
   evaluate_torque(models, table);
   // One grain, d = 2 mm: 1.615 d^2 rho sqrt(nu w) U J*, along x cross y, and pi mu d^3; 1000
   // grains.

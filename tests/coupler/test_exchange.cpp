@@ -131,7 +131,6 @@ void dem_side(Session::Impl& session, int windows) {
       volume += distance <= radius ? 4 * M_PI / 3 * std::pow(radius, 3) : 0;
     }
     bool const wish = n == windows - 1 && world.rank == world.size - 1;
-    outbox.recall(table);
     EXPECT_EQ(outbox.send(table, n, {wish, false}).stop, n == windows - 1);
     EXPECT_EQ(outbox.census().outside, count - inside);
     EXPECT_EQ(outbox.census().nearest_cell, nearest);
@@ -139,7 +138,8 @@ void dem_side(Session::Impl& session, int windows) {
     double seen = -static_cast<double>(inside);
     session.agreement.sum_all(&seen, 1, "the test");
     EXPECT_EQ(seen, 0);
-    outbox.receive(answers, n);
+    answers.resize(table.size());
+    outbox.receive(table, answers, n);
     for (long i = 0; i < count; ++i) {
       if (distance_to_cube(x.col(i)) > radius) {
         EXPECT_EQ(answers["drag"](0, i), 0);

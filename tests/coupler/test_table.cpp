@@ -44,6 +44,23 @@ TEST(Table, CountsBytes) {
   EXPECT_FALSE(table.has("drag"));
 }
 
+TEST(Table, LentColumnsAreTheLenders) {
+  Table table;
+  table.add({"velocity", "m/s", 3});
+  table.resize(2);
+  std::vector<double> theirs = {1, 2, 3, 4, 5, 6};
+  table.lend("velocity", theirs.data());
+  EXPECT_EQ(std::as_const(table)["velocity"].col(1), Vec3(4, 5, 6));
+  table["velocity"].col(0) = Vec3(7, 8, 9);
+  EXPECT_EQ(theirs[2], 9);
+  table.resize(1);
+  EXPECT_THROW(table["velocity"], std::logic_error) << "would be read after the lender's next move";
+  table.lend("velocity", theirs.data());
+  EXPECT_EQ(table["velocity"].cols(), 1);
+  table.resize(0);
+  EXPECT_EQ(table["velocity"].sum(), 0);
+}
+
 TEST(Table, EmptyColumnsAreUsable) {
   Table table;
   table.add({"force", "N", 3});

@@ -53,8 +53,9 @@ std::vector<int> own(foam::FoamEngine& engine, Comm const& world, MatrixXd const
     farthest = std::max(farthest, best.distance);
     if (best.rank != world.rank) continue;
     mine.push_back(static_cast<int>(i));
-    cells.push_back(home.cell);
   }
+  std::stable_sort(mine.begin(), mine.end(), [&](int a, int b) { return hints[a] < hints[b]; });
+  for (int const i : mine) cells.push_back(hints[i]);
   return mine;
 }
 

@@ -83,8 +83,8 @@ TEST(Smoother, ZeroLengthChangesNothing) {
 
 TEST(ParticleKernel, SampleIsTheTransposeOfDeposit) {
   ParticleKernel kernel = centroidKernel(row(30, 1.1), 6);
-  place(kernel, {3, 3, 17, 29, 0});
-  MatrixXd const amounts = (MatrixXd(1, 5) << 1, 2, 0.5, 3, 0.1).finished();
+  place(kernel, {0, 3, 3, 17, 29});
+  MatrixXd const amounts = (MatrixXd(1, 5) << 0.1, 1, 2, 0.5, 3).finished();
   MatrixXd const field =
       MatrixXd::NullaryExpr(1, 30, [](long, long i) { return std::sin(0.3 * i); });
   MatrixXd const density = kernel.spread(1, [&](int i, double* out) { *out = amounts(0, i); });
@@ -126,8 +126,8 @@ TEST(ParticleKernel, ManyAtOnceAreAsOneByOne) {
   std::uniform_real_distribution<double> uniform(0, 1);
   MatrixXd points(3, count);
   std::vector<int> cells;
-  for (int i = 0; i < count; ++i) {  // three full cells, the others one or two each
-    int const cell = i < 13 ? 62 : i < 30 ? 0 : i < 38 ? 124 : 3 * (i - 30);
+  for (int i = 0; i < count; ++i) {  // three full cells, the others one each
+    int const cell = i < 17 ? 0 : i < 30 ? 62 : i < 52 ? 62 + 2 * (i - 29) : 124;
     for (int d = 0, step = 1; d < 3; ++d, step *= n)
       points(d, i) = cell / step % n + uniform(random);
     cells.push_back(cell);
@@ -147,6 +147,29 @@ TEST(ParticleKernel, ManyAtOnceAreAsOneByOne) {
   kernel.gather([&](int i, double const* value, int stride) {
     for (int c = 0; c < 7; ++c) values(c, i) = value[c * stride];
   });
+
+  kernel.fields(7).topRows(7) = fields;
+  MatrixXd again = MatrixXd::Zero(7, count);
+  long next = 0;
+  MatrixXd const at_once =
+      kernel
+          .exchange(
+              7,
+              [&](int i, double const* value, int stride) {
+                for (int c = 0; c < 7; ++c) again(c, i) = value[c * stride];
+              },
+              [&](long first, long some) {  // after they took, before they give
+                EXPECT_EQ(first, next);
+                next += some;
+                EXPECT_EQ(again.leftCols(next), values.leftCols(next));
+                again.middleCols(first, some) = amounts.middleCols(first, some);
+              },
+              [&](int i, double* out) {
+                for (int c = 0; c < 7; ++c) out[c] = again(c, i);
+              })
+          .topRows(7);
+  EXPECT_EQ(next, count);
+  EXPECT_EQ(at_once, density);
 
   MatrixXd sum = MatrixXd::Zero(7, n * n * n);
   for (int i = 0; i < count; ++i) {

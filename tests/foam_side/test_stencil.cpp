@@ -43,24 +43,25 @@ CellStencil latticeStencil(World const& world) {
 }
 
 /// One point's weights, in the first of a block's lanes.
-void weigh(CellStencil const& stencil, int cell, Vec3 const& point, CellStencil::Block& block) {
+std::vector<double> weigh(CellStencil const& stencil, int cell, Vec3 const& point) {
   double points[3 * lanes] = {};
   for (int d = 0; d < 3; ++d) points[lanes * d] = point[d];
-  stencil.begin(cell, block);
-  stencil.weigh(cell, 1, points, block);
+  std::vector<double> weights(lanes * stencil.largest());
+  stencil.weigh(cell, 1, points, weights.data());
+  return weights;
 }
 
 /// Amounts of 1 at the points, on all cells of the lattice (column by column).
 Eigen::RowVectorXd deposited(World const& world, CellStencil const& stencil,
                              std::vector<Vec3> const& points) {
   std::vector<double> amounts(stencil.columns());
-  CellStencil::Block block;
   for (Vec3 const& point : points) {
     int const i = static_cast<int>(point[0]);
     if (i < world.begin(world.rank) || i >= world.begin(world.rank + 1)) continue;
     int const cell = (i - world.begin(world.rank)) * rows + static_cast<int>(point[1]);
-    weigh(stencil, cell, point, block);
-    for (int k = 0; k < block.count; ++k) amounts[block.columns[k]] += block.weights[lanes * k];
+    auto const weights = weigh(stencil, cell, point);
+    auto const around = stencil.around(cell);
+    for (int k = 0; k < around.count; ++k) amounts[around.columns[k]] += weights[lanes * k];
   }
   stencil.collect(amounts.data(), 1);
   Eigen::RowVectorXd all = Eigen::RowVectorXd::Zero(columns * rows);
@@ -136,18 +137,14 @@ TEST(CellStencil, NothingJumpsAtAFace) {
 TEST(CellStencil, CellsThatASplineOnlyTouchesAreLeftOut) {
   World const world;
   CellStencil const stencil = latticeStencil(world);
-  CellStencil::Block block;
-  stencil.begin(rows / 2, block);
-  EXPECT_EQ(block.count, 9);
+  EXPECT_EQ(stencil.around(rows / 2).count, 9);
 }
 
 TEST(CellStencil, CentroidGivesAllToItsCell) {
   CellStencil const stencil(5);
-  CellStencil::Block block;
-  weigh(stencil, 4, Vec3(1, 2, 3), block);
-  ASSERT_EQ(block.count, 1);
-  EXPECT_EQ(block.columns[0], 4);
-  EXPECT_EQ(block.weights[0], 1);
+  ASSERT_EQ(stencil.around(4).count, 1);
+  EXPECT_EQ(stencil.around(4).columns[0], 4);
+  EXPECT_EQ(weigh(stencil, 4, Vec3(1, 2, 3))[0], 1);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // What an engine must supply to take part in a run: small, so that swapping engines is real.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -68,6 +69,9 @@ struct Sample {
   Table::Column out;
 };
 
+/// Something to be done with rows [begin, begin + count) of the particles.
+using RowWork = std::function<void(long begin, long count)>;
+
 /// A fluid: continuum on a mesh. Calls come in the order below, once a window. All MPI of the
 /// engine stays on its own communicator; every rank gets every call, with zero particles too.
 class FluidEngine : public Engine {
@@ -81,8 +85,7 @@ class FluidEngine : public Engine {
   virtual std::vector<Field> samples() const = 0;
   virtual Home locate(Vec3 const& position_m, int hint_cell) = 0;
   /// Position and cell of this rank's particles, and thus the kernel of deposit and sample until
-  /// the next place(); the column stays as it is until then. `smoothing_length_m` is the kernel's
-  /// length, constant in a run.
+  /// the next place(); the column stays as it is until then. Rows come sorted by cell.
   virtual void place(Table::ConstColumn position_m, std::vector<int> const& cell) = 0;
   /// Solid volume [m3] per particle, to stay until advance(): the void fraction ramps over the
   /// window from where it ended to this deposit. Not called without a model that needs porosity.
@@ -93,9 +96,9 @@ class FluidEngine : public Engine {
   /// K may be negative where a grain pulls the fluid along (stiff regime), never the whole matrix.
   virtual void exchange(Table::ConstColumn drag_kg_s, Table::ConstColumn velocity_m_s,
                         Table::ConstColumn force_N) = 0;
-  /// Before exchange(), with virtual mass only: mass [kg] of fluid that each particle moves along.
-  /// Spread likewise, it adds (mass) Du/Dt to the fluid's momentum equation and to given_impulse().
-  /// For engines that offer acceleration.
+  /// Before exchange(), with virtual mass only: mass [kg] of fluid that each particle moves along,
+  /// read in exchange(). Spread likewise, it adds (mass) Du/Dt to the fluid's momentum equation and
+  /// to given_impulse(). For engines that offer acceleration.
   virtual void add_mass(Table::ConstColumn const& /*added_mass_kg*/) {}
   virtual void advance(Window const& window) = 0;
   /// Values at the particles by the exact transpose of deposit and smoothing, of the last advance;
@@ -110,6 +113,17 @@ class FluidEngine : public Engine {
     }
   }
 
+  /// sample_all(), then evaluate() for all rows, which fills the columns of exchange() and of
+  /// add_mass() from the samples, then exchange(): for engines to which that is cheaper together,
+  /// some rows at a time. evaluate() takes the rows in ascending order, each once.
+  virtual void sample_and_exchange(std::vector<Sample> const& samples, RowWork const& evaluate,
+                                   Table::ConstColumn drag_kg_s, Table::ConstColumn velocity_m_s,
+                                   Table::ConstColumn force_N) {
+    sample_all(samples);
+    evaluate(0, drag_kg_s.cols());
+    exchange(drag_kg_s, velocity_m_s, force_N);
+  }
+
   /// Momentum [kg m/s] that left the fluid through exchange() during the last advance, this rank's
   /// share, integrated from the source as it stood in the solved momentum equation.
   virtual Vec3 given_impulse() const = 0;
@@ -121,20 +135,26 @@ class FluidEngine : public Engine {
   virtual Vec3 solid_reaction_force() const { return Vec3::Zero(); }
 };
 
-/// Particles. gather -> (exchange) -> apply -> advance, once a window. `memory` is what the coupler
-/// wants kept with each particle wherever it migrates (opaque, zero at first; as many components as
-/// the tables' column has, the same in a run).
+/// Particles. gather -> (exchange: offer) -> apply -> advance, once a window. `memory` is what the
+/// coupler wants kept with each particle wherever it migrates (opaque, zero at first; as many
+/// components as the tables' column has, the same in a run).
 class ParticleEngine : public Engine {
  public:
+  /// Once, before all the rest: which columns gather() will be asked for and apply() be given. The
+  /// tables have no rows yet.
+  virtual void expect(Table const& /*particles*/, Table const& /*answers*/) {}
   /// Fills position [m], velocity [m/s], radius [m], mass [kg], impulse [kg m/s] (drag impulse
   /// received since the last apply) and memory of this rank's particles, as far as the table has
-  /// the column.
+  /// the column. Columns may be lent (Table::lend): they are read until the next apply().
   virtual void gather(Table& particles) = 0;
   /// Columns that gather() can fill beyond those, for scenes that need them (the stiff regime):
   /// travel [m] since the last apply, other_force [N] (all but the fluid's, now), stiffest [N/m]
   /// (physics/contact_secant.hpp). For coarse graining by type: type, a whole number from 1; such
   /// an engine states the fact particle_types, how many there are.
   virtual std::vector<std::string> extras() const { return {}; }
+  /// Before the answers come, with the rows of the last gather: an engine may lend columns of its
+  /// own for them, so that apply() finds them in place. `memory` may be the one lent to gather().
+  virtual void offer(Table& /*answers*/) {}
   /// Same rows as the last gather: drag [kg/s], fluid_velocity [m/s], force [N] to act during the
   /// coming advance through the exponential kick (physics/exponential_kick.hpp), and memory; only
   /// columns that an enabled model fills are there (and those of takes()).

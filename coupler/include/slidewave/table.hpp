@@ -30,6 +30,10 @@ class Table {
   long size() const { return size_; }
   /// Changes the number of particles; values of rows that stay are kept.
   void resize(long particles);
+  /// Uses `values` (components x size(), contiguous per particle) as the column instead of memory
+  /// of its own: what is read and written is there. Ends with the next resize(): to be lent again
+  /// then.
+  void lend(std::string_view name, double* values);
   /// Throws std::out_of_range, naming the field, where it was not added.
   Column operator[](std::string_view name);
   ConstColumn operator[](std::string_view name) const;
@@ -40,7 +44,10 @@ class Table {
   struct Data {
     Field field;
     std::vector<double> values;
+    bool is_lent = false;
+    double* lent = nullptr;
   };
+  Data const& find(std::string_view name) const;
   std::map<std::string, Data, std::less<>> columns_;
   long size_ = 0;
 };
