@@ -153,12 +153,8 @@ struct FoamEngine::Impl {
 
   DragShares shares(Table::ConstColumn const& drag_kg_s, Table::ConstColumn const& velocity_m_s,
                     Table::ConstColumn const& force_N) const {
-    return {sampler,
-            drag_kg_s.data(),
-            velocity_m_s.data(),
-            force_N.data(),
-            deposit_due ? volume_m3 : nullptr,
-            moves_along ? added_mass_kg : nullptr};
+    return {sampler,   drag_kg_s.data(), velocity_m_s.data(), force_N.data(),
+            volume_m3, added_mass_kg,    deposit_due,         moves_along};
   }
 
   void setDrag(DragShares const& shares, ParticleKernel::Fields const& density) {

@@ -17,16 +17,10 @@ class Recorder final : public slidewave::dem::LiggghtsEngine {
   Recorder(slidewave::Session& session, std::filesystem::path const& file)
       : LiggghtsEngine(session), out_(file, std::ios::binary) {}
 
-  void expect(Table const& particles, Table const& answers) override {
-    engine_.expect(particles, answers);
-  }
-
   void gather(Table& particles) override {
     LiggghtsEngine::gather(particles);
     sent_ = &particles;
   }
-
-  void offer(Table& answers) override { engine_.offer(answers); }
 
   void apply(Table const& answers) override {
     for (long i = 0; i < answers.size(); ++i) {
