@@ -8,16 +8,13 @@ namespace slidewave {
 void Table::add(Field const& field) {
   Data& data = columns_[field.name];
   data.field = field;
-  data.values.assign(static_cast<std::size_t>(size_) * field.components, 0.0);
+  data.values.clear();
 }
 
 void Table::resize(long particles) {
   size_ = particles;
   for (auto& [name, data] : columns_) {
     data.lent = nullptr;
-    if (!data.is_lent) {
-      data.values.resize(static_cast<std::size_t>(particles) * data.field.components, 0.0);
-    }
   }
 }
 
@@ -45,7 +42,8 @@ Table::Column Table::operator[](std::string_view name) {
 
 Table::ConstColumn Table::operator[](std::string_view name) const {
   Data const& data = find(name);
-  if (!data.is_lent) {
+  if (!data.is_lent) {  // made when it is wanted: those that are going to be lent never are
+    data.values.resize(static_cast<std::size_t>(size_) * data.field.components, 0.0);
     return {data.values.data(), data.field.components, size_};
   }
   if (!data.lent && size_ > 0) {

@@ -43,7 +43,7 @@ class Table {
  private:
   struct Data {
     Field field;
-    std::vector<double> values;
+    mutable std::vector<double> values;  ///< as long as they were when last looked at
     bool is_lent = false;
     double* lent = nullptr;
   };
