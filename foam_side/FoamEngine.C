@@ -304,8 +304,9 @@ void FoamEngine::exchange(Table::ConstColumn drag_kg_s, Table::ConstColumn veloc
 }
 
 void FoamEngine::sample_and_exchange(std::vector<Sample> const& samples, RowWork const& evaluate,
-                                     Table::ConstColumn drag_kg_s, Table::ConstColumn velocity_m_s,
-                                     Table::ConstColumn force_N) {
+                                     Table::ConstColumn const& drag_kg_s,
+                                     Table::ConstColumn const& velocity_m_s,
+                                     Table::ConstColumn const& force_N) {
   Impl& self = *impl_;
   if (self.particles == 0) return;
   DragShares const shares = self.shares(drag_kg_s, velocity_m_s, force_N);

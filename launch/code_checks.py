@@ -15,7 +15,7 @@ from launch.progress import say
 SOURCES = ("*.cpp", "*.hpp", "*.h", "*.C", "*.H")
 # Tests that kill programs at moments measured in seconds, or compare run times: slow programs miss them.
 TIMED = "restart.on_signal|restart.by_wall_time|restart.killed|fault_matrix|pair.concurrent"
-FLAGS = "-Og -g1"  # the tests take a third of the time of -O0; assert() stays, a report names file and line
+FLAGS = "-Og -g1"  # -O0 takes two to ten times as long; assert() stays, a report names file and line
 TESTED = ("coupler/engines/all", "tests/coupler/all", "tests/pair/all")  # what those tests run
 LINTED = ("coupler/src", "coupler/tools", "coupler/engines", "dem_side", "dem_lammps")
 

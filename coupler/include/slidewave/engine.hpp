@@ -117,8 +117,9 @@ class FluidEngine : public Engine {
   /// add_mass() from the samples, then exchange(): for engines to which that is cheaper together,
   /// some rows at a time. evaluate() takes the rows in ascending order, each once.
   virtual void sample_and_exchange(std::vector<Sample> const& samples, RowWork const& evaluate,
-                                   Table::ConstColumn drag_kg_s, Table::ConstColumn velocity_m_s,
-                                   Table::ConstColumn force_N) {
+                                   Table::ConstColumn const& drag_kg_s,
+                                   Table::ConstColumn const& velocity_m_s,
+                                   Table::ConstColumn const& force_N) {
     sample_all(samples);
     evaluate(0, drag_kg_s.cols());
     exchange(drag_kg_s, velocity_m_s, force_N);
