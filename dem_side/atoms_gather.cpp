@@ -1,7 +1,5 @@
 #include "atoms_gather.h"
 
-#include <algorithm>
-
 #include "atom.h"
 #include "domain.h"
 #include "lammps.h"
@@ -35,7 +33,6 @@ void gather_atoms(LAMMPS_NS::LAMMPS& lmp, Table& particles) {
   fill("position", [&](int i, auto out) { out = wrapped(lmp, atom.x[i]); });
   fill("velocity", [&](int i, auto out) { out = Vec3(atom.v[i]); });
   fill("angular_velocity", [&](int i, auto out) { out = Vec3(atom.omega[i]); });
-  fill("type", [&](int i, auto out) { out[0] = atom.type[i]; });
   fill("radius", [&](int i, auto out) { out[0] = atom.radius[i]; });
   fill("mass", [&](int i, auto out) { out[0] = atom.rmass[i]; });
 }

@@ -13,7 +13,7 @@ namespace slidewave::dem {
 bool is_periodic(LAMMPS_NS::LAMMPS& lmp);
 /// Positions [m], in the box.
 void gather_positions(LAMMPS_NS::LAMMPS& lmp, Table::Column position_m);
-/// Resizes the table and fills, of id, position, velocity, angular_velocity, type, radius and mass,
+/// Resizes the table and fills, of id, position, velocity, angular_velocity, radius and mass,
 /// the columns that it has.
 void gather_atoms(LAMMPS_NS::LAMMPS& lmp, Table& particles);
 

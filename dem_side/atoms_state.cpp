@@ -163,7 +163,7 @@ void pass_atoms(LAMMPS& lmp, State& state, FixSlidewave* kick) {
   if (layout != mine) {
     throw std::runtime_error(
         "the checkpoint's particles carry other values than this scene's: the "
-        "script has changed");
+        "script or the models have changed");
   }
   take_histories(lmp);  // loading: those of the script's atoms, which must not come back
   std::vector<double> all;

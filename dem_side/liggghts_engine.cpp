@@ -24,14 +24,12 @@
 #include "pair_style.h"
 #include "registry.h"
 #include "script_scan.h"
-#include "slidewave/physics/contact_secant.hpp"
 #include "slidewave/screen.hpp"
 #include "stock_facts.h"
 #include "thermo.h"
 #include "update.h"
 
 namespace fs = std::filesystem;
-using LAMMPS_NS::FixSlidewave;
 using LAMMPS_NS::LAMMPS;
 
 namespace slidewave::dem {

@@ -61,11 +61,10 @@ def lint(full: bool = False) -> None:
 def under_sanitizers() -> None:
     """RunError where a test of the coupler fails under ASan and UBSan."""
     build = places.build_dir() / "sanitize"
-    if not (build / "build.ninja").is_file():
-        _quietly(["cmake", "-S", str(places.ROOT), "-B", str(build), "-G", "Ninja",
-                  "-DCMAKE_BUILD_TYPE=Debug", f"-DCMAKE_CXX_FLAGS_DEBUG={FLAGS}", "-DSLIDEWAVE_SANITIZE=ON",
-                  "-DSLIDEWAVE_WITH_OPENFOAM=OFF", "-DSLIDEWAVE_WITH_LIGGGHTS=OFF",
-                  "-DSLIDEWAVE_WITH_LAMMPS=OFF", "-DSLIDEWAVE_WITH_ESYS=OFF"], "sanitizers: cmake")
+    _quietly(["cmake", "-S", str(places.ROOT), "-B", str(build), "-G", "Ninja",
+              "-DCMAKE_BUILD_TYPE=Debug", f"-DCMAKE_CXX_FLAGS_DEBUG={FLAGS}", "-DSLIDEWAVE_SANITIZE=ON",
+              "-DSLIDEWAVE_WITH_OPENFOAM=OFF", "-DSLIDEWAVE_WITH_LIGGGHTS=OFF",
+              "-DSLIDEWAVE_WITH_LAMMPS=OFF", "-DSLIDEWAVE_WITH_ESYS=OFF"], "sanitizers: cmake")
     _quietly(["ninja", "-C", str(build), *TESTED], "sanitizers: build")
     _quietly(["ctest", "--test-dir", str(build), "-L", "coupler", "-E", TIMED, "-j2",
               "--output-on-failure"], "sanitizers: tests")

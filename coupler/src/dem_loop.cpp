@@ -86,8 +86,8 @@ class DemLoop {
     answers_.resize(particles_.size());
     engine_.offer(answers_);
     outbox_.receive(particles_, answers_, n);
-    engine_.apply(answers_);
     watch_.look(particles_, answers_, windows_[n].length_s(), session_.agreement);
+    engine_.apply(answers_);
     return all;
   }
 

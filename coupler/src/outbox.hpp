@@ -30,7 +30,7 @@ class Outbox {
   /// their memory columns; impulse is still what it was when they were sent.
   void receive(Table const& particles, Table& answers, long window);
   Census const& census() const { return census_; }
-  /// Given and not yet received [kg m/s], of all particles together.
+  /// Given and not yet received [kg m/s], of all this rank's particles together.
   Vec3 ledger(Table const& particles) const;
   void pass(State& state) { state.pass("outbox.most_outside", most_outside_); }
   /// The fluid's ranks are others than those that memory names: look for all homes once again.

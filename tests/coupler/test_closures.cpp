@@ -154,3 +154,26 @@ TEST(Closures, LiftAndTorqueOfAClump) {
   EXPECT_NEAR(table["rotational_drag"](0, 0), 1000 * M_PI * 8e-9, 1e-18);
   EXPECT_EQ(table["fluid_spin"](1, 0), 2);
 }
+
+TEST(Closures, SomeRowsAtATimeAreAsAllAtOnce) {
+  Models models = di_felice();
+  models.coarse_grain_by_type = {1, 3};
+  Table table = one_particle(0.1, 0, 0.6);
+  table.add({"type", "-", 1});
+  table.resize(5);
+  for (long i = 0; i < 5; ++i) {
+    table["type"](0, i) = 1 + i % 2;
+    table["fluid_velocity"].col(i) = Vec3(0.1 * (1.0 + i), 0, 0);
+    table["velocity"].col(i).setZero();
+    table["density"](0, i) = 1000;
+    table["viscosity"](0, i) = 1e-3;
+    table["radius"](0, i) = 0.1 + 0.01 * i;
+    table["void_fraction"](0, i) = 0.5 + 0.1 * i;
+  }
+  Table parts = table;
+  evaluate_drag(models, RowRange::all(table), table);
+  evaluate_drag(models, {0, 2}, parts);
+  evaluate_drag(models, {2, 3}, parts);
+  EXPECT_EQ(parts["drag"], table["drag"]);
+  EXPECT_GT(table["drag"].row(0).minCoeff(), 0);
+}

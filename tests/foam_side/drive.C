@@ -4,10 +4,12 @@
 // particle: x,y,z,vx,vy,vz,volume,K,fx,fy,fz; with models.virtual_mass a particle moves along half
 // its volume of water. Writes DIR/samples.csv (a row a window and particle)
 // and DIR/windows.csv (a row a window: quantities and budgets).
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <iostream>
 #include <sstream>
+#include <stdexcept>
 
 #include "FoamEngine.H"
 #include "World.H"
@@ -106,7 +108,17 @@ int drive(std::filesystem::path const& directory) {
     if (two_way) {
       engine.deposit(column(volume));
       if (moves_along) engine.add_mass(column(added));
-      engine.exchange(column(drag), column(v), column(force));
+      if (index % 2 == 0) {
+        engine.exchange(column(drag), column(v), column(force));
+      } else {  // as a coupled run does: the columns are filled from what was sampled, here not
+        MatrixXd u(3, here.cols());
+        std::string const name = "velocity";
+        long rows_done = 0;
+        engine.sample_and_exchange(
+            {{name, Table::Column(u.data(), u.rows(), u.cols())}},
+            [&](long, long count) { rows_done += count; }, column(drag), column(v), column(force));
+        if (rows_done != here.cols()) throw std::runtime_error("rows were left out");
+      }
     }
     engine.advance(window);
 

@@ -96,6 +96,18 @@ class FluidEngine : public Engine {
   /// K may be negative where a grain pulls the fluid along (stiff regime), never the whole matrix.
   virtual void exchange(Table::ConstColumn drag_kg_s, Table::ConstColumn velocity_m_s,
                         Table::ConstColumn force_N) = 0;
+  /// sample_all(), then evaluate() for all rows, which fills the columns of exchange() and of
+  /// add_mass() from the samples, then exchange(): what a two-way run calls. Engines to which
+  /// sampling and exchange are cheaper together override it and go through some rows at a time.
+  /// evaluate() takes the rows in ascending order, each once.
+  virtual void sample_and_exchange(std::vector<Sample> const& samples, RowWork const& evaluate,
+                                   Table::ConstColumn const& drag_kg_s,
+                                   Table::ConstColumn const& velocity_m_s,
+                                   Table::ConstColumn const& force_N) {
+    sample_all(samples);
+    evaluate(0, drag_kg_s.cols());
+    exchange(drag_kg_s, velocity_m_s, force_N);
+  }
   /// Before exchange(), with virtual mass only: mass [kg] of fluid that each particle moves along,
   /// read in exchange(). Spread likewise, it adds (mass) Du/Dt to the fluid's momentum equation and
   /// to given_impulse(). For engines that offer acceleration.
@@ -111,18 +123,6 @@ class FluidEngine : public Engine {
     for (Sample const& one : samples) {
       sample(one.field, one.out);
     }
-  }
-
-  /// sample_all(), then evaluate() for all rows, which fills the columns of exchange() and of
-  /// add_mass() from the samples, then exchange(): for engines to which that is cheaper together,
-  /// some rows at a time. evaluate() takes the rows in ascending order, each once.
-  virtual void sample_and_exchange(std::vector<Sample> const& samples, RowWork const& evaluate,
-                                   Table::ConstColumn const& drag_kg_s,
-                                   Table::ConstColumn const& velocity_m_s,
-                                   Table::ConstColumn const& force_N) {
-    sample_all(samples);
-    evaluate(0, drag_kg_s.cols());
-    exchange(drag_kg_s, velocity_m_s, force_N);
   }
 
   /// Momentum [kg m/s] that left the fluid through exchange() during the last advance, this rank's
@@ -141,8 +141,8 @@ class FluidEngine : public Engine {
 /// components as the tables' column has, the same in a run).
 class ParticleEngine : public Engine {
  public:
-  /// Once, before all the rest: which columns gather() will be asked for and apply() be given. The
-  /// tables have no rows yet.
+  /// Once, before pass() and the first gather(): which columns gather() will be asked for and
+  /// apply() be given. The tables have no rows yet.
   virtual void expect(Table const& /*particles*/, Table const& /*answers*/) {}
   /// Fills position [m], velocity [m/s], radius [m], mass [kg], impulse [kg m/s] (drag impulse
   /// received since the last apply) and memory of this rank's particles, as far as the table has

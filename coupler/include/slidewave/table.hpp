@@ -28,7 +28,7 @@ class Table {
   void add(Field const& field);
   bool has(std::string_view name) const { return columns_.find(name) != columns_.end(); }
   long size() const { return size_; }
-  /// Changes the number of particles; values of rows that stay are kept.
+  /// Changes the number of particles; values of rows that stay are kept, new rows hold anything.
   void resize(long particles);
   /// Uses `values` (components x size(), contiguous per particle) as the column instead of memory
   /// of its own: what is read and written is there. Ends with the next resize(): to be lent again
