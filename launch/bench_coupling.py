@@ -59,8 +59,8 @@ def row(variant: str, count: int, repeats: int = 1, windows: tuple[int, int] = (
     for name, phase in PHASES.items():
         found[name] = per * statistics.median(b.seconds[phase] - a.seconds[phase] for a, b in pairs)
     found["total_ns"] = sum(found[name] for name in PHASES)
-    found["dem_ns"], found["fluid_ns"] = (
-        per * statistics.median(b.seconds[side] - a.seconds[side] for a, b in pairs) for side in ALONE)
+    for side in ALONE:
+        found[f"{side}_ns"] = per * statistics.median(b.seconds[side] - a.seconds[side] for a, b in pairs)
     few = _of_few(count)
     more = _beyond_alone(variant, count, settings or [], pairs[0][0]) - few[1]
     found["bytes_per_particle"] = more / max(1, particles - few[0])
