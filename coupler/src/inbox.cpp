@@ -186,17 +186,16 @@ void Inbox::pack_answers(Table const& answers, std::vector<int> const& cell, int
       out = std::transform(rows, rows + count, out, [&](int row) { return cell[row]; });
       continue;
     }
-    for (long begin = 0; begin < count; begin += rows_in_cache) {
-      long const some = std::min(rows_in_cache, count - begin);
-      pack(answers[field.name], rows + begin, some, out);
-      long const bad = first_not_finite(out, some, field.components);
-      if (bad >= 0) {
-        session_.failure.fail(fmt::format("'{}' for the particle at {} is not a finite number",
-                                          field.name, place_of(answers, rows[begin + bad])),
-                              1);
-      }
-      out += some * field.components;
-    }
+    out = pack_block(
+        count, field.components, out,
+        [&](long begin, long some, double* to) {
+          pack(answers[field.name], rows + begin, some, to);
+        },
+        [&](long bad) {
+          session_.failure.fail(fmt::format("'{}' for the particle at {} is not a finite number",
+                                            field.name, place_of(answers, rows[bad])),
+                                1);
+        });
   }
 }
 

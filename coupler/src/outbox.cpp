@@ -90,17 +90,16 @@ void Outbox::pack_field(Table const& particles, Field const& field, int destinat
 void Outbox::pack_rows(Table const& particles, int const* rows, long count, int destination,
                        double* out) const {
   for (Field const& field : agreed_.layout.to_fluid) {
-    for (long begin = 0; begin < count; begin += rows_in_cache) {
-      long const some = std::min(rows_in_cache, count - begin);
-      pack_field(particles, field, destination, rows + begin, some, out);
-      long const bad = first_not_finite(out, some, field.components);
-      if (bad >= 0) {
-        session_.failure.fail(fmt::format("'{}' of the particle at {} is not a finite number",
-                                          field.name, place_of(particles, rows[begin + bad])),
-                              1);
-      }
-      out += some * field.components;
-    }
+    out = pack_block(
+        count, field.components, out,
+        [&](long begin, long some, double* to) {
+          pack_field(particles, field, destination, rows + begin, some, to);
+        },
+        [&](long bad) {
+          session_.failure.fail(fmt::format("'{}' of the particle at {} is not a finite number",
+                                            field.name, place_of(particles, rows[bad])),
+                                1);
+        });
   }
 }
 
