@@ -38,6 +38,14 @@ std::vector<std::string> record_layout(LAMMPS& lmp) {
   return names;
 }
 
+std::string joined(std::vector<std::string> const& names) {
+  std::string text;
+  for (std::string const& name : names) {
+    text += (text.empty() ? "" : ", ") + name;
+  }
+  return text;
+}
+
 /// Made with the first checkpoint; it stays, since taking a fix away needs another set-up.
 FixPropertyAtom* forces_column(LAMMPS& lmp) {
   auto* const found =
@@ -161,9 +169,10 @@ void pass_atoms(LAMMPS& lmp, State& state, FixSlidewave* kick) {
   std::vector<std::string> const mine = layout;
   state.pass("atoms.layout", layout);
   if (layout != mine) {
-    throw std::runtime_error(
-        "the checkpoint's particles carry other values than this scene's: the "
-        "script or the models have changed");
+    throw std::runtime_error("the particles of the checkpoint carry [" + joined(layout) +
+                             "], those of this scene [" + joined(mine) +
+                             "]: the script or the models have changed; undo the change or run "
+                             "without --restart");
   }
   take_histories(lmp);  // loading: those of the script's atoms, which must not come back
   std::vector<double> all;

@@ -196,7 +196,8 @@ class Restart(unittest.TestCase):
         script.write_text(script.read_text() + "fix more all property/atom more scalar yes no no 0\n")
         done = run(whole, 1)
         self.assertEqual(done.returncode, 1)
-        self.assertIn("the script has changed", done.stderr)
+        self.assertIn("the script or the models have changed", done.stderr)
+        self.assertIn("more (property/atom)", done.stderr)
 
     def test_fix_with_state_of_its_own(self):
         whole = self.whole("packaged law, planes", 1)
