@@ -13,8 +13,6 @@ from launch.errors import RunError
 from launch.progress import say
 
 SOURCES = ("*.cpp", "*.hpp", "*.h", "*.C", "*.H")
-# Tests that kill programs at moments measured in seconds, or compare run times: slow programs miss them.
-TIMED = "restart.on_signal|restart.by_wall_time|restart.killed|fault_matrix|pair.concurrent"
 FLAGS = "-Og -g1"  # -O0 takes two to ten times as long; assert() stays, a report names file and line
 TESTED = ("coupler/engines/all", "tests/coupler/all", "tests/pair/all")  # what those tests run
 LINTED = ("coupler/src", "coupler/tools", "coupler/engines", "dem_side", "dem_lammps")
@@ -66,7 +64,7 @@ def under_sanitizers() -> None:
               "-DSLIDEWAVE_WITH_OPENFOAM=OFF", "-DSLIDEWAVE_WITH_LIGGGHTS=OFF",
               "-DSLIDEWAVE_WITH_LAMMPS=OFF", "-DSLIDEWAVE_WITH_ESYS=OFF"], "sanitizers: cmake")
     _quietly(["ninja", "-C", str(build), *TESTED], "sanitizers: build")
-    _quietly(["ctest", "--test-dir", str(build), "-L", "coupler", "-E", TIMED, "-j2",
+    _quietly(["ctest", "--test-dir", str(build), "-L", "coupler", "-LE", "timed", "-j4",
               "--output-on-failure"], "sanitizers: tests")
     say("the coupler's tests pass under ASan and UBSan")
 

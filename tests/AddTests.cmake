@@ -43,3 +43,10 @@ function(add_pair_test name)
   set_tests_properties(${name}.np${ranks_a}_${ranks_b} PROPERTIES LABELS "pair;${T_LABEL}"
                        PROCESSORS ${ranks} TIMEOUT ${T_TIMEOUT})
 endfunction()
+
+# set_timed(test ...): tests that compare run times or act at moments measured in seconds. They have the
+# machine to themselves, and do not run under the sanitizers, whose programs are too slow for them.
+function(set_timed)
+  set_property(TEST ${ARGN} APPEND PROPERTY LABELS timed)
+  set_tests_properties(${ARGN} PROPERTIES RUN_SERIAL TRUE)
+endfunction()

@@ -36,7 +36,7 @@ def main(options: argparse.Namespace) -> int:
         stage(options.full)
         say(f"stage {name}: {time.monotonic() - start:.1f} s")
     start = time.monotonic()
-    words = ["ctest", "--test-dir", str(places.build_dir()), "-j2", "--output-on-failure"]
+    words = ["ctest", "--test-dir", str(places.build_dir()), "-j4", "--output-on-failure"]
     environment = dict(os.environ)
     rows = places.build_dir() / "verification"
     if options.full:
