@@ -4,6 +4,8 @@ files, and noted for verification.json."""
 from __future__ import annotations
 
 import re
+import shutil
+import subprocess
 import tempfile
 import time
 import unittest
@@ -12,7 +14,7 @@ from pathlib import Path
 
 import numpy as np
 
-from launch import cli, results, verification
+from launch import cli, places, results, verification
 from launch.places import ROOT
 
 
@@ -65,6 +67,17 @@ class Verification(unittest.TestCase):
         summary = results.read_summary(out)
         self.assertEqual(status, expect, summary.get("reason"))
         return Run(out, results.read_history(out), summary, time.monotonic() - start)
+
+    def packed(self, case: str, **variables: object) -> Path:
+        """A copy of cases/verification/<case> with the grains as its dem/in.pack leaves them."""
+        holder = tempfile.TemporaryDirectory()
+        self.addCleanup(holder.cleanup)
+        copy = Path(holder.name).resolve() / "case"
+        shutil.copytree(ROOT / "cases/verification" / case, copy)
+        given = [word for name, value in variables.items() for word in ("-var", name, str(value))]
+        subprocess.run([places.program("slidewave_dem"), "--script", "in.pack", "-log", "none", *given],
+                       cwd=copy / "dem", check=True, stdout=subprocess.DEVNULL, timeout=600)
+        return copy
 
     def near(self, case: str, quantity: str, value: float, reference: float, tolerance: float,
              run: Run, absolute: bool = False) -> None:

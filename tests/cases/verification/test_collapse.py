@@ -5,16 +5,12 @@ positive pressure, a dense one half as far, slowly, under negative pressure. Hel
 that it stays behind. Reported: the rest, for the pressure under the loose column is not positive here."""
 
 import os
-import shutil
-import subprocess
-import tempfile
 import unittest
 from pathlib import Path
 
 import numpy as np
 
-from launch import places, verification, vtk_file
-from launch.places import ROOT
+from launch import verification, vtk_file
 from tests.cases.verification.runs import Run, Verification
 
 FULL = "SLIDEWAVE_VERIFICATION" in os.environ
@@ -25,16 +21,6 @@ class SubmergedCollapse(Verification):
     and sucks no water, 1 % of its weight: what the pressure does later is the collapse's."""
 
     length, width, rho_s, rho_f, g = 0.06, 3.5485e-3, 2500.0, 1000.0, 9.81
-
-    def packed(self, friction: float) -> Path:
-        """A copy of the case with a column that has settled with this friction."""
-        holder = tempfile.TemporaryDirectory()
-        self.addCleanup(holder.cleanup)
-        case = Path(holder.name).resolve() / "case"
-        shutil.copytree(ROOT / "cases/verification/submerged_collapse", case)
-        subprocess.run([places.program("slidewave_dem"), "--script", "in.pack", "-log", "none", "-var", "friction_packing",
-                        str(friction)], cwd=case / "dem", check=True, stdout=subprocess.DEVNULL, timeout=600)
-        return case
 
     def collapses(self, case: Path, **settings: object) -> Run:
         run = self.run_case(str(case), parameters__grains="in.packed", **settings)
@@ -57,7 +43,7 @@ class SubmergedCollapse(Verification):
     def test_full(self) -> None:
         fronts = {}
         for name, friction in (("dense", 0.0), ("loose", 0.5)):
-            case, scene = self.packed(friction), f"submerged_collapse, {name}"
+            case, scene = self.packed("submerged_collapse", friction_packing=friction), f"submerged_collapse, {name}"
             held = self.collapses(case, parameters__held=1, case__end_time=0.1)
             run = self.collapses(case)
             time, pressure = self.excess(run)
