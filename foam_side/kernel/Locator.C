@@ -1,3 +1,5 @@
+#include <cfloat>
+#include <cmath>
 #include <limits>
 
 #include "Locator.H"
@@ -20,6 +22,26 @@ Locator::Locator(fvMesh const& mesh)
       centres_(mesh.faceCentres()) {
   search_.boundaryTree();  // built here, by all ranks
   search_.cellTree();
+  inner_.reserve(mesh_.nCells());
+  for (label cell = 0; cell < mesh_.nCells(); ++cell) inner_.push_back(innerBox(cell));
+}
+
+// Spanned by the centres of the faces, rounded inwards; a cell is convex, so corners tell.
+Locator::InnerBox Locator::innerBox(label cell) const {
+  boundBox const span(pointField(centres_, cells_[cell]), /*reduce=*/false);
+  InnerBox box;
+  for (direction d = 0; d < vector::nComponents; ++d) {
+    box.low_m[d] = std::nextafter(static_cast<float>(span.min()[d]), FLT_MAX);
+    box.high_m[d] = std::nextafter(static_cast<float>(span.max()[d]), -FLT_MAX);
+  }
+  for (int corner = 0; corner < 8; ++corner) {
+    point position;
+    for (direction d = 0; d < vector::nComponents; ++d) {
+      position[d] = corner >> d & 1 ? box.high_m[d] : box.low_m[d];
+    }
+    if (exitFace(position, cell) >= 0) return {{1, 1, 1}, {0, 0, 0}};
+  }
+  return box;
 }
 
 point Locator::inSlab(Vec3 const& position_m) const {
@@ -61,6 +83,7 @@ Home Locator::locate(Vec3 const& position_m, int hint_cell) const {
   if (mesh_.nCells() == 0) return {};
   point const position = inSlab(position_m);
   if (hint_cell >= 0 && hint_cell < mesh_.nCells()) {
+    if (inner_[hint_cell].contains(position)) return {hint_cell, 0};
     label const cell = walk(position, hint_cell);
     if (cell >= 0) return {cell, 0};
   }
