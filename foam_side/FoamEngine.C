@@ -109,7 +109,6 @@ struct FoamEngine::Impl {
   std::vector<std::unique_ptr<Observer>> observers;
   std::vector<Quantity> quantities;
   long particles = 0;  // of all ranks
-  MPI_Comm comm;
   double output_interval_s, end_s;
   long outputs = -1;
 
@@ -128,7 +127,6 @@ struct FoamEngine::Impl {
         flow((refuseUnsupported(foam.mesh()), PorousFlow::New(foam.mesh(), foam.time()))),
         locator(foam.mesh()),
         kernel(makeKernel(scene, foam.mesh(), the_comm)),
-        comm(the_comm),
         output_interval_s(scene.number("output.interval", 0)),
         end_s(scene.number("case.end_time")),
         sampler(*flow, kernel),
@@ -275,9 +273,7 @@ Home FoamEngine::locate(Vec3 const& position_m, int hint_cell) {
 }
 
 void FoamEngine::place(Table::ConstColumn position_m, std::vector<int> const& cell) {
-  impl_->kernel.place(position_m, cell);
-  impl_->particles = static_cast<long>(cell.size());
-  MPI_Allreduce(MPI_IN_PLACE, &impl_->particles, 1, MPI_LONG, MPI_SUM, impl_->comm);
+  impl_->particles = impl_->kernel.place(position_m, cell);
   impl_->sampler.begin();
   impl_->flow->setDrag(nullptr);
 }

@@ -5,7 +5,7 @@
 
 namespace slidewave::foam {
 
-void ParticleKernel::place(Table::ConstColumn position_m,
+long ParticleKernel::place(Table::ConstColumn position_m,
                            std::vector<int> const& cell_of_particle) {
   if (!std::is_sorted(cell_of_particle.begin(), cell_of_particle.end())) {
     throw std::invalid_argument("slidewave_foam: particles must come sorted by cell");
@@ -15,6 +15,10 @@ void ParticleKernel::place(Table::ConstColumn position_m,
   first_.assign(stencil_.cells() + 1, 0);
   for (int const cell : cell_of_particle) ++first_[cell + 1];
   for (int cell = 0; cell < stencil_.cells(); ++cell) first_[cell + 1] += first_[cell];
+  long counts[2] = {particles_, near_.strangers(first_)};
+  MPI_Allreduce(MPI_IN_PLACE, counts, 2, MPI_LONG, MPI_SUM, smoother_.graph().comm);
+  if (counts[1] > 0) near_.find(first_, smoother_, stencil_);
+  return counts[0];
 }
 
 void ParticleKernel::weigh(int cell, Block const& block) const {
@@ -38,7 +42,7 @@ ParticleKernel::Fields ParticleKernel::fields(int components) {
 }
 
 void ParticleKernel::beginGather() {
-  smoother_.smooth(fields_, spare_, field_components_);
+  near_.gather(smoother_, fields_, spare_, field_components_);
   stencil_.fetch(fields_.data(), field_components_);
 }
 
@@ -47,7 +51,7 @@ ParticleKernel::Fields ParticleKernel::finishSpread(int components) {
   auto const& volume_m3 = smoother_.graph().volume_m3;
   Fields density(amounts_.data(), components, stencil_.cells());
   for (int cell = 0; cell < stencil_.cells(); ++cell) density.col(cell) /= volume_m3[cell];
-  smoother_.smooth(amounts_, spare_, components);
+  near_.spread(smoother_, amounts_, spare_, components);
   return {amounts_.data(), components, stencil_.cells()};
 }
 

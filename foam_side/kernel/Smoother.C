@@ -28,7 +28,8 @@ double largestRate(MeshGraph const& graph) {
 
 }  // namespace
 
-Smoother::Smoother(MeshGraph graph, double length_m) : graph_(std::move(graph)) {
+Smoother::Smoother(MeshGraph graph, double length_m)
+    : graph_(std::move(graph)), everywhere_{{0, graph_.cells()}} {
   // Diffusion over pseudo-time t widens a point to exp(-r^2/(4 t)).
   double const total_m2 = length_m * length_m / 4;
   double const rate = largestRate(graph_);
@@ -85,16 +86,14 @@ void Smoother::fillBorders(double* values, int components) const {
   MPI_Waitall(static_cast<int>(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE);
 }
 
-void Smoother::step(CellValues& values, CellValues& spare, int components) const {
+void Smoother::step(CellValues& values, CellValues& spare, int components,
+                    CellRuns const& cells) const {
   spare.resize(values.size());
   fillBorders(values.data(), components);
-  laneLoops().pull(pulls_.data(), first_.data(), graph_.cells(), values.data(), components,
-                   spare.data());
+  for (CellRun const run : cells) {
+    laneLoops().pull(pulls_.data(), first_.data(), run, values.data(), components, spare.data());
+  }
   values.swap(spare);
-}
-
-void Smoother::smooth(CellValues& values, CellValues& spare, int components) const {
-  for (int i = 0; i < steps_; ++i) step(values, spare, components);
 }
 
 double Smoother::spreadExcess(CellValues& values, double limit, int passes) const {
@@ -110,7 +109,7 @@ double Smoother::spreadExcess(CellValues& values, double limit, int passes) cons
     if (volume_m3 == 0) break;
     moved_m3 = std::max(moved_m3, volume_m3);
     for (int cell = 0; cell < graph_.cells(); ++cell) values[cell] -= excess_[cell];
-    step(excess_, spare_, 1);
+    step(excess_, spare_, 1, everywhere_);
     for (int cell = 0; cell < graph_.cells(); ++cell) values[cell] += excess_[cell];
   }
   return moved_m3;

@@ -151,8 +151,8 @@ void addShares(double const* weights, int const* columns, int count, double cons
   }
 }
 
-void pullOne(Pull const* pulls, int const* first, int cells, double const* from, double* to) {
-  for (int cell = 0; cell < cells; ++cell) {
+void pullOne(Pull const* pulls, int const* first, CellRun cells, double const* from, double* to) {
+  for (int cell = cells.begin; cell < cells.end; ++cell) {
     double const here = from[cell];
     double sum = here;
     for (int k = first[cell]; k < first[cell + 1]; ++k) {
@@ -164,10 +164,10 @@ void pullOne(Pull const* pulls, int const* first, int cells, double const* from,
 
 /// Of 4 x fours components from `from` on.
 template <int fours>
-void pullFours(Pull const* pulls, int const* first, int cells, double const* from, long components,
-               double* to) {
+void pullFours(Pull const* pulls, int const* first, CellRun cells, double const* from,
+               long components, double* to) {
   constexpr int packs = fours * 4 / width;
-  for (int cell = 0; cell < cells; ++cell) {
+  for (int cell = cells.begin; cell < cells.end; ++cell) {
     Pack here[packs], sum[packs];
     for (int p = 0; p < packs; ++p) sum[p] = here[p] = load(from + components * cell + width * p);
     for (int k = first[cell]; k < first[cell + 1]; ++k) {
@@ -179,8 +179,8 @@ void pullFours(Pull const* pulls, int const* first, int cells, double const* fro
   }
 }
 
-void pullStep(Pull const* pulls, int const* first, int cells, double const* from, int components,
-              double* to) {
+void pullStep(Pull const* pulls, int const* first, CellRun cells, double const* from,
+              int components, double* to) {
   if (components == 1) return pullOne(pulls, first, cells, from, to);
   for (int c = 0; c < components; c += 12) {
     int const left = components - c;

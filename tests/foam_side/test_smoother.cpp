@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
 #include <random>
 
 #include "ParticleKernel.H"
@@ -35,7 +36,9 @@ void place(ParticleKernel& kernel, std::vector<int> const& cells) {
 
 MatrixXd smoothed(Smoother const& smoother, MatrixXd const& one) {
   CellValues values(one.data(), one.data() + one.size()), spare;
-  smoother.smooth(values, spare, static_cast<int>(one.rows()));
+  for (int i = 0; i < smoother.steps(); ++i) {
+    smoother.step(values, spare, static_cast<int>(one.rows()), smoother.everywhere());
+  }
   return Eigen::Map<MatrixXd>(values.data(), one.rows(), one.cols());
 }
 
@@ -193,6 +196,54 @@ TEST(ParticleKernel, ManyAtOnceAreAsOneByOne) {
   EXPECT_NEAR(density.sum(), amounts.sum(), 1e-11);
 }
 
+/// Particles that drift, cross cells, jump and scatter, against smoothing everywhere: the same
+/// bits.
+TEST(ParticleKernel, SmoothsNearParticlesAsItWouldEverywhere) {
+  int const n = 14, count = 9, all = n * n * n;
+  double const length = 1.3;
+  ParticleKernel kernel = latticeKernel(n, length), bare = latticeKernel(n, 0);
+  Smoother const& smoother = kernel.smoother();
+  ASSERT_GT(smoother.steps(), 4);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  MatrixXd points = MatrixXd::NullaryExpr(3, count, [&] { return 2 + uniform(random); });
+  auto const give = [](int i, double* out) {
+    for (int c = 0; c < 4; ++c) out[c] = 1 + i + 0.1 * c;
+  };
+  for (int time = 0; time < 12; ++time) {
+    if (time == 6) points.array() += 6.2;
+    if (time == 9) points = MatrixXd::NullaryExpr(3, count, [&] { return n * uniform(random); });
+    if (time < 9) points.row(0).array() += 0.31;
+    auto const cell_of = [&](long i) {
+      return static_cast<int>(points(0, i)) + n * static_cast<int>(points(1, i)) +
+             n * n * static_cast<int>(points(2, i));
+    };
+    std::vector<long> order(count);
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](long a, long b) { return cell_of(a) < cell_of(b); });
+    MatrixXd sorted(3, count);
+    std::vector<int> cells;
+    for (long const i : order) {
+      sorted.col(static_cast<long>(cells.size())) = points.col(i);
+      cells.push_back(cell_of(i));
+    }
+    kernel.place(column(sorted), cells);
+    bare.place(column(sorted), cells);
+    EXPECT_EQ(MatrixXd(kernel.spread(4, give)), smoothed(smoother, bare.spread(4, give)));
+
+    MatrixXd const fields = MatrixXd::NullaryExpr(4, all, [&] { return uniform(random); });
+    kernel.fields(4) = fields;
+    bare.fields(4) = smoothed(smoother, fields);
+    std::vector<double> taken[2];
+    for (ParticleKernel* one : {&kernel, &bare}) {
+      one->gather([&](int, double const* value, int stride) {
+        for (int c = 0; c < 4; ++c) taken[one == &bare].push_back(value[c * stride]);
+      });
+    }
+    EXPECT_EQ(taken[0], taken[1]);
+  }
+}
+
 struct LaneLoopsOf27Cells : testing::TestWithParam<int> {
   int const components = GetParam();
   std::vector<SplineCentre> centres;
@@ -236,7 +287,7 @@ TEST_P(LaneLoopsOf27Cells, FastOnesAreTheSame) {
     loops.take(weights[way].data(), near.data(), 27, active, fields.data(), components,
                taken[way].data());
     loops.add(weights[way].data(), near.data(), 27, values.data(), components, added[way].data());
-    loops.pull(pulls.data(), first.data(), 2, fields.data(), components, pulled[way].data());
+    loops.pull(pulls.data(), first.data(), {0, 2}, fields.data(), components, pulled[way].data());
     for (int c = 0; c < components; ++c) {  // what lanes beyond the active ones hold is free
       for (int l = active; l < lanes; ++l) taken[way][lanes * c + l] = 0;
     }
