@@ -57,6 +57,7 @@ SRUN=(srun --mpi=pmix --ntasks=@TASKS@)
 RESUBMIT=(@RESUBMIT@)  # empty: this job is the last one
 TIME_S=@TIME@
 WARNING_S=@WARNING@  # before the limit: longer than a window and its checkpoint take
+LOOK_S=5  # mpirun is ended where all its programs are found dead three times
 export WM_PROJECT_DIR=${WM_PROJECT_DIR:-/usr/share/openfoam}
 # -----------------------------------------------------------------------------------------------
 
@@ -79,6 +80,23 @@ printf '%s\\n' "${line[*]}"
 "${line[@]}" &
 child=$!
 
+# Debian 12's mpirun may stay after its programs, and the job with it until its time limit (seen once in
+# hundreds of killed runs).
+watch() {
+  local dead=0 states
+  while sleep "$LOOK_S" && kill -0 "$child"; do
+    states=$(ps -o stat= --ppid "$child")
+    if [ -n "$states" ] && ! grep -qv '^Z' <<<"$states"; then dead=$((dead + 1)); else dead=0; fi
+    if [ "$dead" -eq 3 ]; then
+      kill -KILL "$child"
+      exit 3
+    fi
+  done
+  exit 0
+}
+watch >/dev/null 2>&1 &
+watcher=$!
+
 # A trap interrupts the wait: then wait again. 127: already collected, its status is known.
 again=true
 asked=false
@@ -99,12 +117,26 @@ while $again; do
   [ "$code" -eq 127 ] || status=$code
 done
 @TIMER_END@
+state=$(sed -n 's/^ *"status": *"\\([a-z]*\\)".*/\\1/p' "$RUN/summary.json" 2>/dev/null | head -n 1)
+ended=0
+if [ "$status" -eq 137 ]; then
+  wait "$watcher"
+  ended=$?
+else
+  kill "$watcher" 2>/dev/null
+fi
+if [ "$ended" -eq 3 ]; then
+  echo "slidewave: mpirun did not leave after its programs: ended"
+  case $state in
+    completed | stopped) [ -e "$RUN/failure.txt" ] && status=1 || status=0 ;;
+    *) status=1 ;;
+  esac
+fi
 if [ -x "$PYTHON" ] && [ -d "$SOURCE/launch" ] && [ -f "$RUN/history.csv" ]; then
   (cd "$SOURCE" && "$PYTHON" -m launch report "$RUN") || echo "slidewave: no report was made"
 fi
 
 # Left for the time limit (schedulers may warn a minute early), and further than it began: go on.
-state=$(sed -n 's/^ *"status": *"\\([a-z]*\\)".*/\\1/p' "$RUN/summary.json" 2>/dev/null | head -n 1)
 if $asked && [ "$state" = stopped ] && [ "$(newest)" != "$begun_at" ] && [ ${#RESUBMIT[@]} -gt 0 ] &&
   [ "$SECONDS" -ge $((TIME_S - WARNING_S - 90)) ]; then
   if next=$("${RESUBMIT[@]}" "$RUN/@SCRIPT@"); then

@@ -163,6 +163,24 @@ class Submit(ScratchCase):
         self.assertIn("holds a result", again.communicate(timeout=30)[0])
         self.assertEqual(again.returncode, 2)
 
+    def test_an_mpirun_that_stays_is_ended(self) -> None:
+        """With the status that the programs wrote; one that is killed for another reason keeps its own."""
+        leave = "import os, subprocess, time; subprocess.Popen([\"true\"]); "
+        for written, last, status in (("completed", "time.sleep(60)", 0), ("failed", "time.sleep(60)", 1),
+                                      ("completed", "os.kill(os.getpid(), 9)", 137)):
+            self.program("mpirun", f"exec /usr/bin/python3 -c '{leave}{last}'")
+            self.submit("--dry-run", "--overwrite")
+            (self.out / "summary.json").write_text(f'{{\n  "status": "{written}"\n}}')
+            script = self.script()
+            self.assertIn("LOOK_S=5 ", script)
+            (self.out / "job.slurm").write_text(script.replace("LOOK_S=5 ", "LOOK_S=0.3 "))
+            start = time.monotonic()
+            child = self.run_script()
+            text = child.communicate(timeout=40)[0]
+            self.assertEqual(child.returncode, status, text)
+            self.assertLess(time.monotonic() - start, 30)
+            self.assertEqual("did not leave" in text, last.startswith("time"), text)
+
     def allow_more_ranks_than_cores(self) -> None:
         """A cluster has the cores that were asked for; this machine may not."""
         for name in ("job.slurm", "job.pbs"):
