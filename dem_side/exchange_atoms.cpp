@@ -94,7 +94,7 @@ void LiggghtsEngine::gather_extras(Table& particles) {
       continue;
     }
     travel.col(i) = Vec3(kick_->travel(i).data());
-    force.col(i) = Vec3(kick_->other_force(i));
+    force.col(i) = Vec3(kick_->other_force_N(i));
     Vec3 const weight = atom.rmass[i] * g;
     bool const pushed = (force.col(i) - weight).norm() > 1e-9 * weight.norm();  // by a wall, say
     stiffest(0, i) = kick_->held(i) ? held_stiffness

@@ -282,7 +282,7 @@ void FixSlidewave::kick_any(int i, KickColumns const& columns, std::array<double
   double const* const u = columns.fluid ? columns.fluid[i] : none.data();
   double const* const extra_N = columns.extra ? columns.extra[i] : none.data();
   double const* const given_N = columns.exchanged ? columns.exchanged[i] : none.data();
-  double const *const v = atom->v[i], *const other = other_force(i);
+  double const *const v = atom->v[i], *const other = other_force_N(i);
   double* const booked = columns.impulse ? columns.impulse[i] : unkept.data();
   double* const f = atom->f[i];
   bool const plain = !columns.drag && !columns.added && !columns.exchanged;

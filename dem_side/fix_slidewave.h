@@ -61,11 +61,6 @@ class FixSlidewave : public Fix {
   /// Drag impulse [kg m/s] of this rank's atoms since begin_window(), counted kick by kick and not
   /// read from the column, which may lose it with an atom.
   std::array<double, 3> const& received() const { return received_; }
-  /// All forces on a local atom but the fluid's [N], 3 numbers, at the end of the last step or
-  /// set-up.
-  double const* other_force(int i) const {
-    return &other_force_N_[3 * static_cast<std::size_t>(i)];
-  }
   /// How far [m] a local atom has gone since begin_window(); needs `start`.
   std::array<double, 3> travel(int atom) const;
   /// True where no force moves the atom in any direction.
@@ -73,8 +68,8 @@ class FixSlidewave : public Fix {
   /// Takes the other forces from atom->f.
   void keep_forces();
 
-  /// Contacts, weight and other fixes [N], without the fluid's force: what the next half kick of a
-  /// local atom begins with.
+  /// Contacts, weight and other fixes [N], without the fluid's force, at the end of the last step
+  /// or set-up: what the next half kick of a local atom begins with.
   double const* other_force_N(int i) const {
     return other_force_N_.data() + 3 * static_cast<std::size_t>(i);
   }
