@@ -42,8 +42,8 @@ def prepare(case, run_dir: Path, say) -> None:
         lake = files.lake_fraction(made, section.lake_level)
         files.set_internal_field(fluid / "0" / "alpha.water", lake)
         say(f"  fluid mesh     {columns.cells} cells in {len(columns.low)} columns")
-    # Wider than the period: the triangles' rims then touch no particle.
-    files.write_wall_stl(section, dem / "wall.stl", -0.5 * width, 1.5 * width, longest=4.0 * width)
+    # Exactly a period wide: wider, its periodic images overlap, and LIGGGHTS counts contacts with both.
+    files.write_wall_stl(section, dem / "wall.stl", 0.0, width, longest=4.0 * width)
     if case.get("dem.engine") == "lammps":
         try:
             half_spaces.write(section.wall, dem / "wall.in")

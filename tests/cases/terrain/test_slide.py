@@ -1,6 +1,7 @@
 """Preparation of a slide with few, large grains: porosity, rest, cache, refusals."""
 
 import os
+import re
 import tempfile
 import unittest
 from pathlib import Path
@@ -55,6 +56,8 @@ class Slide(unittest.TestCase):
         self.assertLess((rows[:, 6] - section.ground_height(rows[:, 4])).max(), 12)
         self.assertLess(rows[:, 4].max(), section.toe[0] - 10)
         self.assertTrue(np.all((rows[:, 5] >= 0) & (rows[:, 5] <= width)))
+        corners = re.findall(r"vertex \S+ (\S+) \S+", (dem / "wall.stl").read_text())
+        np.testing.assert_allclose(np.unique(np.array(corners, dtype=float)), [0, width], rtol=1e-9)
 
     def test_came_to_rest(self):
         kept = next((self.place / "cache").glob("slide-*"))

@@ -41,10 +41,8 @@ SETTINGS = {
     "water_entry": ["parameters.start=0.0216"],  # the lowest spheres touch the water
 }
 # Where a cut across the longest extent leaves ranks without particles: axis of the fluid's cuts, grid of two DEM ranks.
-# slide_wave is not cut across its ramp ("1 1 2"): a grain on the ramp's mesh that comes near that cut moves 3e-6 m aside in a
-# window, with and without friction, before the fluid differs; not explained yet.
 FLUID_CUTS = {"piston": 2, "slide_wave": 2, "submerged_collapse": 2}
-DEM_CUTS = {"dam_break_grains": "1 2 1", "piston": "1 1 2", "slide_wave": "1 2 1", "still_bed": "2 1 1",
+DEM_CUTS = {"dam_break_grains": "1 2 1", "piston": "1 1 2", "slide_wave": "1 1 2", "still_bed": "2 1 1",
             "submerged_collapse": "1 1 2", "water_entry": "2 1 1"}
 
 # Models that no case has as it stands: name of the test, case, settings.
