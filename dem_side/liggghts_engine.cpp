@@ -119,6 +119,13 @@ void LiggghtsEngine::set_up_scene() {
     throw InputError(script.string(), "create_box or read_data", "missing", "give the scene a box");
   }
   quote_script_of(nullptr);
+  if (auto const wide = wide_mesh(*lmp_)) {
+    throw InputError(script.string(), "fix " + wide->name,
+                     std::to_string(wide->extent_m) + " m along " + "xyz"[wide->axis],
+                     "longer than the period of " + std::to_string(wide->period_m) +
+                         " m: where its images overlap, contacts count twice; cut the mesh at "
+                         "the periodic faces");
+  }
   if (scaling != ContactScaling::none && !OwnPairs::current()) {
     throw InputError(case_file(session_).string(), "models.contact_scaling",
                      scene.text("models.contact_scaling"),

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
+#include "abstract_mesh.h"
 #include "atom.h"
 #include "domain.h"
 #include "expose.h"
 #include "fix_gravity.h"
+#include "fix_mesh.h"
 #include "force.h"
 #include "lammps.h"
 #include "modify.h"
@@ -90,6 +93,37 @@ double max_overlap(LAMMPS& lmp) {
     }
   }
   return largest;
+}
+
+std::optional<WideMesh> wide_mesh(LAMMPS& lmp) {
+  LAMMPS_NS::Domain const& domain = *lmp.domain;
+  for (int i = 0; i < lmp.modify->nfix; ++i) {
+    auto* const fix = dynamic_cast<LAMMPS_NS::FixMesh*>(lmp.modify->fix[i]);
+    if (!fix) {
+      continue;
+    }
+    LAMMPS_NS::AbstractMesh& mesh = *fix->mesh();
+    // The upper ends, and the lower ones with their signs turned.
+    Eigen::Matrix<double, 6, 1> ends =
+        Eigen::Matrix<double, 6, 1>::Constant(std::numeric_limits<double>::lowest());
+    for (int element = 0; element < mesh.sizeLocal(); ++element) {
+      for (int corner = 0; corner < mesh.numNodes(); ++corner) {
+        Vec3 node;
+        mesh.node_slow(element, corner, node.data());
+        ends.head<3>() = ends.head<3>().cwiseMax(node);
+        ends.tail<3>() = ends.tail<3>().cwiseMax(-node);
+      }
+    }
+    MPI_Allreduce(MPI_IN_PLACE, ends.data(), 6, MPI_DOUBLE, MPI_MAX, lmp.world);
+    for (int axis = 0; axis < 3; ++axis) {
+      double const extent = ends[axis] + ends[axis + 3];
+      double const period = domain.prd[axis];
+      if (domain.periodicity[axis] && extent > period * (1 + 1e-6)) {  // a file's few digits
+        return WideMesh{fix->id, axis, extent, period};
+      }
+    }
+  }
+  return std::nullopt;
 }
 
 std::string as_text(Vec3 const& v) {

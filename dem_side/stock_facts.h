@@ -23,6 +23,19 @@ Vec3 wrapped(LAMMPS_NS::LAMMPS& lmp, double const* position_m);
 /// Largest overlap of this rank's pairs over the smaller diameter of the two [-], from the
 /// neighbour list of the last step; 0 before the first.
 double max_overlap(LAMMPS_NS::LAMMPS& lmp);
+
+/// A mesh wall whose extent along a periodic axis of the box is longer than the period.
+struct WideMesh {
+  std::string name;
+  int axis = 0;
+  double extent_m = 0;
+  double period_m = 0;
+};
+/// The first such wall: LIGGGHTS repeats it with the period, and where its images overlap a contact
+/// counts once or twice, as the order of the triangles has it, which differs with the ranks.
+/// Collective.
+std::optional<WideMesh> wide_mesh(LAMMPS_NS::LAMMPS& lmp);
+
 /// Three numbers that read back to the same doubles.
 std::string as_text(Vec3 const& v);
 

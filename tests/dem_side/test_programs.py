@@ -408,6 +408,18 @@ class Failures(Folder):
         self.write(CASE, "units si\n")
         self.fails("box", status=2)
 
+    def test_mesh_wider_than_a_period(self):
+        corners = "0 {0} 0\nvertex 10 {0} 0\nvertex 10 {1} 0", "0 {0} 0\nvertex 10 {1} 0\nvertex 0 {1} 0"
+        facets = "".join(f"facet normal 0 0 1\nouter loop\nvertex {c}\nendloop\nendfacet\n" for c in corners)
+        self.write(CASE, SETUP.replace("primitive type 1 zplane 0", "mesh n_meshes 1 meshes ground")
+                   .replace("fix floor", "fix ground all mesh/surface file ground.stl type 1\nfix floor"))
+        stl = self.dir / "dem/ground.stl"
+        for ranks in (1, 2):
+            stl.write_text(f"solid g\n{facets.format(-1.9, 5.7)}endsolid g\n")
+            self.fails("in.setup", "fix ground", "7.6", "along y", "3.8", "count twice", ranks=ranks, status=2)
+            stl.write_text(f"solid g\n{facets.format(0, 3.8)}endsolid g\n")
+            self.assertEqual(mpirun(ranks, PROGRAM, self.dir).returncode, 0)
+
     def test_lost_particles(self):
         self.write(CASE, SETUP.replace("fix left", "#") + "velocity all set -30 0 0 units box\n")
         self.fails("Lost atoms")
