@@ -11,14 +11,13 @@ void grow(CellValues& marks, CellValues& spare, Smoother const& smoother) {
   for (double& mark : marks) mark = mark > 0 ? 1 : 0;  // no ring is lost to underflow
 }
 
-CellRuns runsOf(CellValues const& marks, int cells) {
-  CellRuns runs;
+void listRuns(CellValues const& marks, int cells, CellRuns& runs) {
+  runs.clear();
   for (int cell = 0; cell < cells; ++cell) {
     if (marks[cell] == 0) continue;
     if (runs.empty() || runs.back().end != cell) runs.push_back({cell, cell});
     runs.back().end = cell + 1;
   }
-  return runs;
 }
 
 }  // namespace
@@ -33,9 +32,9 @@ long NearCells::strangers(std::vector<int> const& first) const {
 }
 
 void NearCells::find(std::vector<int> const& first, Smoother const& smoother,
-                     CellStencil const& stencil) {
+                     CellStencil const& stencil, CellValues& marks, CellValues& spare) {
   int const cells = stencil.cells();
-  CellValues marks(std::max(smoother.columns(), stencil.columns())), spare;
+  marks.assign(std::max(smoother.columns(), stencil.columns()), 0.0);
   for (int cell = 0; cell < cells; ++cell) {
     if (first[cell] == first[cell + 1]) continue;
     CellStencil::Around const around = stencil.around(cell);
@@ -51,7 +50,7 @@ void NearCells::find(std::vector<int> const& first, Smoother const& smoother,
   }
   for (std::size_t r = 0; r < rings_.size(); ++r) {
     if (r > 0) grow(marks, spare, smoother);
-    rings_[r] = runsOf(marks, cells);
+    listRuns(marks, cells, rings_[r]);
   }
 }
 

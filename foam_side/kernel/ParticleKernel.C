@@ -17,7 +17,7 @@ long ParticleKernel::place(Table::ConstColumn position_m,
   for (int cell = 0; cell < stencil_.cells(); ++cell) first_[cell + 1] += first_[cell];
   long counts[2] = {particles_, near_.strangers(first_)};
   MPI_Allreduce(MPI_IN_PLACE, counts, 2, MPI_LONG, MPI_SUM, smoother_.graph().comm);
-  if (counts[1] > 0) near_.find(first_, smoother_, stencil_);
+  if (counts[1] > 0) near_.find(first_, smoother_, stencil_, amounts_, spare_);
   return counts[0];
 }
 
