@@ -165,7 +165,7 @@ class Submit(ScratchCase):
 
     def test_an_mpirun_that_stays_is_ended(self) -> None:
         """With the status that the programs wrote; one that is killed for another reason keeps its own."""
-        leave = "import os, subprocess, time; subprocess.Popen([\"true\"]); "
+        leave = "import os, subprocess, time; dead = subprocess.Popen([\"true\"]); "
         for written, last, status in (("completed", "time.sleep(60)", 0), ("failed", "time.sleep(60)", 1),
                                       ("completed", "os.kill(os.getpid(), 9)", 137)):
             self.program("mpirun", f"exec /usr/bin/python3 -c '{leave}{last}'")
