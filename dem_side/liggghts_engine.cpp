@@ -121,8 +121,8 @@ void LiggghtsEngine::set_up_scene() {
   quote_script_of(nullptr);
   if (auto const wide = wide_mesh(*lmp_)) {
     throw InputError(script.string(), "fix " + wide->name,
-                     std::to_string(wide->extent_m) + " m along " + "xyz"[wide->axis],
-                     "longer than the period of " + std::to_string(wide->period_m) +
+                     as_text(wide->extent_m) + " m along " + "xyz"[wide->axis],
+                     "longer than the period of " + as_text(wide->period_m) +
                          " m: where its images overlap, contacts count twice; cut the mesh at "
                          "the periodic faces");
   }

@@ -126,6 +126,12 @@ std::optional<WideMesh> wide_mesh(LAMMPS& lmp) {
   return std::nullopt;
 }
 
+std::string as_text(double number) {
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.9g", number);
+  return text;
+}
+
 std::string as_text(Vec3 const& v) {
   char text[96];
   std::snprintf(text, sizeof(text), "%.17g %.17g %.17g", v[0], v[1], v[2]);

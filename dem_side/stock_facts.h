@@ -36,6 +36,8 @@ struct WideMesh {
 /// Collective.
 std::optional<WideMesh> wide_mesh(LAMMPS_NS::LAMMPS& lmp);
 
+/// Nine digits, for messages.
+std::string as_text(double number);
 /// Three numbers that read back to the same doubles.
 std::string as_text(Vec3 const& v);
 

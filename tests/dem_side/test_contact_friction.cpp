@@ -166,7 +166,7 @@ TEST(Walls, MeshActsAsThePlane) {
       scene.sphere(3, periodic ? 9.9 : 3.7, 0.2, 2 * radius);
       scene.set_velocity(1, "2 0.5 0");
       scene.lines({"fix integrate all nve/sphere", "fix weight all gravity 9.81 vector 0 0 -1",
-                   "timestep 5e-5", "run 10000"});
+                   "timestep 5e-5", "run 20000"});
       end[mesh][0] = scene.x(1, 0);
       end[mesh][1] = scene.x(1, 1);
       end[mesh][2] = scene.omega(1, 1);
